@@ -1,0 +1,82 @@
+use alloc::string::String;
+use core::fmt;
+
+use crate::{Case, History};
+
+/// One method that turns a case into an impact history.
+///
+/// An oracle never depends on another oracle, and a test of the harness enforces it.
+pub trait Oracle: Send + Sync {
+    /// The name that reports use, unique in a panel: the method, then what distinguishes it, as in `ode/nonlinear/tsit45`.
+    fn name(&self) -> &str;
+
+    /// The equation of motion that the oracle solves or approximates.
+    fn model(&self) -> Model;
+
+    /// The history of a case.
+    ///
+    /// # Errors
+    /// A [`Decline`] when the oracle cannot do this case. Losing the sequence half-way is not a decline but
+    /// [`Ending::Lost`](crate::Ending::Lost).
+    fn history(&self, case: &Case) -> Result<History, Decline>;
+}
+
+/// The equation of motion between impacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Model {
+    /// The slender block, Eq. 4. It ignores the slenderness of a case.
+    Linear,
+    /// The block as it is, Eq. 2. It needs the slenderness of a case.
+    Nonlinear,
+}
+
+/// Why an oracle refuses a case.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Decline {
+    /// The model needs a slenderness, and the case has none.
+    NeedsSlenderness,
+    /// A quantity of the case is outside of what the method can do.
+    OutOfRange {
+        /// The quantity, in the words of the command line.
+        field: &'static str,
+        /// What it is.
+        value: f64,
+        /// What the method can do.
+        allowed: &'static str,
+    },
+    /// The method has no answer that it would stand by.
+    NotConvergent {
+        /// Why not, with the numbers.
+        why: String,
+    },
+    /// The method does not do this kind of question.
+    Unsupported {
+        /// What it does not do.
+        what: &'static str,
+    },
+}
+
+impl Decline {
+    /// The reason without its numbers, for counting.
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::NeedsSlenderness => "needs a slenderness",
+            Self::OutOfRange { .. } => "out of range",
+            Self::NotConvergent { .. } => "not convergent",
+            Self::Unsupported { .. } => "unsupported",
+        }
+    }
+}
+
+impl fmt::Display for Decline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NeedsSlenderness => f.write_str("the model needs a slenderness (alpha)"),
+            Self::OutOfRange { field, value, allowed } => {
+                write!(f, "{field} = {value} is outside what this method can do: {allowed}")
+            }
+            Self::NotConvergent { why } => f.write_str(why),
+            Self::Unsupported { what } => write!(f, "this method does not do {what}"),
+        }
+    }
+}
