@@ -1,1 +1,50 @@
+//! Event stepping with the closed-form solution of the linear rocking equation (Eqs 4-13), with no loss of accuracy however
+//! deep the sequence goes.
+//!
+//! A flight is followed in local time as the distance from the base, `u = i φ >= 0`, for which Eq. 4 reads
+//! `u'' = u - 1 - i f`. [`flow`] is its exact solution, [`forcing`] the excitation, [`flight`] finds the first impact and
+//! proves that it is the first, [`march`] does so where Newton's method can't, and [`sequence`] strings flights together.
+#![cfg_attr(test, allow(clippy::indexing_slicing))]
 
+mod flight;
+mod flow;
+mod forcing;
+mod march;
+mod sequence;
+mod twofold;
+
+use contract::{Case, Decline, Ending, History, Model, Oracle};
+
+/// The unit round-off.
+const UNIT: f64 = 0.5 * f64::EPSILON;
+
+/// The oracle. It has no settings: it is as accurate as a double allows.
+///
+/// It claims for each number the rounding errors of all flights so far, carried through the derivatives of each flight, so that
+/// the claim grows with the conditioning of the case (near the critical amplitude, above all).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ClosedForm;
+
+impl Oracle for ClosedForm {
+    fn name(&self) -> &str {
+        "closed-form"
+    }
+
+    fn model(&self) -> Model {
+        Model::Linear
+    }
+
+    fn history(&self, case: &Case) -> Result<History, Decline> {
+        if case.epsilon() <= 0.0 {
+            return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
+        }
+        within("epsilon", case.epsilon(), 1e-60, 1e9, "1e-60 <= epsilon <= 1e9")?;
+        within("omega", case.omega(), 1e-6, 1e6, "1e-6 <= omega <= 1e6")?;
+        within("eta", case.eta(), 1e-6, 1.0, "1e-6 <= eta < 1")?;
+        Ok(sequence::follow(case))
+    }
+}
+
+fn within(field: &'static str, value: f64, least: f64, most: f64, allowed: &'static str) -> Result<(), Decline> {
+    if (least..=most).contains(&value) { Ok(()) } else { Err(Decline::OutOfRange { field, value, allowed }) }
+}

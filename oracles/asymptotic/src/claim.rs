@@ -1,0 +1,73 @@
+use std::f64::consts::PI;
+
+use contract::Uncertainty;
+
+/// What the series claims for its own truncation error: what it knows about itself at an impact, times one calibrated constant for each
+/// quantity.
+///
+/// Eq. 65 keeps one term of every interval, so every relative error starts with `ε` times a coefficient that depends on `η`, `ω` and the
+/// impact. Stepping Eq. 4 exactly shows what the coefficient is made of:
+///
+/// - A constant: the next term of the first flight, `-T_{0;3}/T_{0;1} = 17/60 - 8/(15 ω²)` (Eq. 31 as corrected, see the crate's page).
+/// - `r = u/x`, the ratio of the two sums of Eq. 65 up to this impact. It measures how much the odd flights delay the even ones, which
+///   changes the forcing that those meet; and the dropped `T_{n;3}` of the even flights grows with it as well.
+/// - `1/ω²`: the rotation itself in Eq. 4, `φ'' - φ`, of which the terms kept have nothing. A slow excitation gives it time to act.
+///
+/// The higher orders sum to a growth near the critical amplitude. The nearness to it is `q = (ω τ/(0.8 π))² + 2 ε/ω²`: at the critical
+/// amplitude, where the exact chattering time is `T/2`, the two sums have come to 0.81 to 0.83 of `T/2` for `ω >= 2`, whatever `η` is. Below
+/// that the first flight alone becomes critical: it does not return when `sqrt(2 ε) > ω`, where its growing mode prevails
+/// (`B_0 < 0` in Eq. 10). Velocities are conditioned like the chattering time near it, `(1 - q)^(β-1)` with `β ≈ 3/5`; the time is
+/// bounded there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Claim {
+    /// `ε (1 + r + 1/ω²)`.
+    truncation: f64,
+    /// `q`, 1 or more where the series says nothing.
+    nearness: f64,
+    /// Relative rounding error of the recursion.
+    rounding: f64,
+}
+
+/// Largest measured error over `truncation`, in 6000 random cases with `η` in [0.05, 0.995], `ω` in [0.02, 20] and `ε` in
+/// [1e-8, 0.98 of the critical one], over the first 60 impacts, and in brackets what is claimed.
+/// CALIBRATION-TABLE
+const TIME: f64 = 0.8;
+const INTERVAL: f64 = 5.0;
+const VELOCITY: f64 = 2.4;
+
+/// `β - 1` with `β ≈ 3/5`, the exponent with which the chattering time approaches `T/2`.
+const GROWTH: f64 = -0.4;
+
+impl Claim {
+    /// The claim at an impact with the sums `x` and `u` so far (or at the chattering time, with the whole sums), after `flights` flights.
+    pub(crate) fn new(epsilon: f64, omega: f64, x: f64, u: f64, flights: usize) -> Self {
+        let rotation = 1.0 / (omega * omega);
+        let growing_mode = 2.0 * epsilon * rotation;
+        let time_over_half_period = (x + u * epsilon) * epsilon.sqrt() / PI;
+        Self {
+            truncation: epsilon * (1.0 + u / x + rotation * (1.0 - growing_mode).powf(GROWTH)),
+            nearness: (time_over_half_period / 0.8).powi(2) + growing_mode,
+            rounding: f64::EPSILON * (8.0 + flights as f64),
+        }
+    }
+
+    /// Whether the series stands for anything here.
+    pub(crate) fn holds(&self) -> bool {
+        self.nearness < 1.0
+    }
+
+    /// Of the time, relative.
+    pub(crate) fn time(&self) -> f64 {
+        TIME * self.truncation + self.rounding
+    }
+
+    /// Of an impact at `time`.
+    pub(crate) fn uncertainty(&self, time: f64) -> Uncertainty {
+        let growth = (1.0 - self.nearness).powf(GROWTH);
+        Uncertainty {
+            time: self.time() * time,
+            interval: INTERVAL * self.truncation * growth + self.rounding,
+            velocity: VELOCITY * self.truncation * growth + self.rounding,
+        }
+    }
+}

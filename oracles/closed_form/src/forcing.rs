@@ -1,0 +1,100 @@
+//! The forcing of Eq. 4 at one instant, seen from one side of the base.
+
+use crate::twofold::Twofold;
+
+/// The excitation `f(τ) = a sin(ωτ + ψ)` with the phase of Eq. 12, as `a sin ψ = 1` and `a cos ψ = sqrt(2ε + ε²)` (Eq. 24):
+/// the phase itself is never formed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Excitation {
+    pub amplitude: f64,
+    pub omega: f64,
+    /// `a cos ψ = sqrt(ε(2 + ε))`.
+    pub cosine: f64,
+    epsilon: f64,
+}
+
+/// What drives the distance from the base, `u = i φ`, at one instant: `u'' = u - 1 - i f` and the derivatives of its forcing.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Forcing {
+    /// `-1 - i f`: the acceleration at the base; negative towards it.
+    pub acceleration: f64,
+    /// `-i f'`.
+    pub jerk: f64,
+    /// `-i f'' = i ω² f`.
+    pub snap: f64,
+    /// Bounds on the rounding errors of `acceleration` and `jerk`, in units of the unit round-off.
+    pub rounding: (f64, f64),
+}
+
+/// The sine and cosine of half the phase that has passed since initiation.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct HalfPhase {
+    pub sin: f64,
+    pub cos: f64,
+}
+
+impl Excitation {
+    pub fn new(epsilon: f64, omega: f64) -> Self {
+        Self { amplitude: 1.0 + epsilon, omega, cosine: (epsilon * (2.0 + epsilon)).sqrt(), epsilon }
+    }
+
+    /// Half the phase at `time`; the error of rounding `ωτ/2` is put back.
+    pub fn half_phase(&self, time: Twofold) -> HalfPhase {
+        let phase = time.times(0.5 * self.omega);
+        let (sin, cos) = phase.high.sin_cos();
+        HalfPhase { sin: sin + phase.low * cos, cos: cos - phase.low * sin }
+    }
+
+    /// The forcing on the side `sign` of the base.
+    ///
+    /// With `x = ωτ`: `f = sin x sqrt(2ε + ε²) + cos x`, so in half angles both `f - 1` and `f + 1` factor, and neither
+    /// cancels where it vanishes identically (at initiation and at `T/2`).
+    pub fn forcing(&self, sign: f64, half: HalfPhase) -> Forcing {
+        let HalfPhase { sin, cos } = half;
+        let (factor, one, other) = if sign < 0.0 {
+            (2.0 * sin, self.cosine * cos, -sin) // f - 1
+        } else {
+            (-2.0 * cos, cos, self.cosine * sin) // -(1 + f)
+        };
+        let acceleration = factor * (one + other);
+        // f'/ω = sqrt(2ε + ε²) cos x - sin x
+        let (rate, other_rate) = (self.cosine * (cos - sin) * (cos + sin), 2.0 * sin * cos);
+        Forcing {
+            acceleration,
+            jerk: -sign * self.omega * (rate - other_rate),
+            snap: -self.omega * self.omega * (1.0 + acceleration),
+            rounding: (
+                2.0 * factor.abs() * (one.abs() + other.abs()),
+                2.0 * self.omega * (rate.abs() + other_rate.abs()),
+            ),
+        }
+    }
+
+    /// `sup(-1 - i f) = a - 1`, over both signs and all times.
+    pub fn largest_acceleration(&self) -> f64 {
+        self.epsilon
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn the_factored_forcing_is_the_printed_one() {
+        let (epsilon, omega) = (0.03, 2.0);
+        let excitation = Excitation::new(epsilon, omega);
+        let (a, psi) = (1.0 + epsilon, (1.0f64 / (1.0 + epsilon)).asin());
+        for tau in [0.0, 0.1, 0.7, 1.2, 1.57, 3.0] {
+            let half = excitation.half_phase(Twofold::sum(tau, 0.0));
+            let (f, rate) = (a * (omega * tau + psi).sin(), a * omega * (omega * tau + psi).cos());
+            for sign in [-1.0, 1.0] {
+                let forcing = excitation.forcing(sign, half);
+                assert_relative_eq!(forcing.acceleration, -1.0 - sign * f, epsilon = 1e-15, max_relative = 1e-13);
+                assert_relative_eq!(forcing.jerk, -sign * rate, epsilon = 1e-14, max_relative = 1e-13);
+                assert_relative_eq!(forcing.snap, sign * omega * omega * f, max_relative = 1e-13);
+            }
+        }
+    }
+}

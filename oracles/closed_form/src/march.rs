@@ -1,0 +1,103 @@
+//! Following a flight of any length, in steps that cannot pass a root.
+//!
+//! On a step from `(u, u')` the acceleration is at least some `m`, so `u` is at least `u + u' d + m d²/2`, and no impact comes
+//! before the first root of that parabola. Stepping to it again and again approaches the first impact from the left, and only
+//! the first; near a transversal impact the steps converge quadratically, near a grazing one they halve.
+
+use crate::{
+    UNIT,
+    flight::{Landing, Outcome, Takeoff},
+    twofold::Twofold,
+};
+
+/// A flight takes more steps than this only if its horizon is thousands of periods away.
+const STEPS: usize = 1_000_000;
+
+/// Follows the flight to its first impact, its horizon, or past the point of no return.
+pub(crate) fn fly(takeoff: &Takeoff) -> Outcome {
+    let Takeoff { excitation, flow, time, sign, speed, forcing, horizon, .. } = *takeoff;
+    let (amplitude, omega) = (excitation.amplitude, excitation.omega);
+    let longest = 0.5 * flow.longest();
+
+    let mut elapsed = Twofold::ZERO;
+    let mut state = (0.0, speed);
+    let mut here = forcing;
+    if speed == 0.0 {
+        // At initiation u, u', u'' vanish, and u'''' >= -1 - |ω² - 1| a: half of 4 j over that is before the first root.
+        let clear = 2.0 * forcing.jerk / (1.0 + (omega * omega - 1.0).abs() * amplitude);
+        let step = clear.min(longest);
+        state = flow.sums(step).advance(state, &here);
+        elapsed = elapsed.plus(step);
+        here = excitation.forcing(sign, excitation.half_phase(time.plus(step)));
+    }
+
+    for _ in 0..STEPS {
+        let (rotation, velocity) = state;
+        // (u + u')' = u + u' - 1 - i f is positive from here on, so u + u' stays positive: u cannot come down through zero.
+        if rotation + velocity > 1.0 + amplitude {
+            return Outcome::Overturned;
+        }
+        let left = horizon - elapsed.high;
+        if left <= 0.0 {
+            return Outcome::Aloft;
+        }
+        let step = safe_step(state, here.acceleration, longest.min(left), |step| {
+            (omega * amplitude).min((-here.jerk).max(0.0) + omega * omega * amplitude * step)
+        });
+        let arrived = rotation <= 0.0 && elapsed.high > 0.0;
+        if arrived || step <= 0.25 * f64::EPSILON * elapsed.high {
+            return Outcome::Landing(land(takeoff, elapsed.high, state, here.acceleration));
+        }
+        state = flow.sums(step).advance(state, &here);
+        elapsed = elapsed.plus(step);
+        here = excitation.forcing(
+            sign,
+            excitation.half_phase(Twofold::sum(time.high, elapsed.high).plus(time.low).plus(elapsed.low)),
+        );
+    }
+    Outcome::Stuck
+}
+
+/// A step before which there is no root: to the first root of the parabola under `u`, or `longest`. `fall` bounds how fast the
+/// forcing falls during a step of a given length.
+fn safe_step((rotation, velocity): (f64, f64), acceleration: f64, longest: f64, fall: impl Fn(f64) -> f64) -> f64 {
+    let root = |lowest: f64| {
+        let square = velocity * velocity - 2.0 * lowest * rotation;
+        let denominator = -velocity + square.max(0.0).sqrt();
+        if square < 0.0 || (lowest >= 0.0 && velocity >= 0.0) {
+            f64::INFINITY
+        } else if velocity > 0.0 {
+            (velocity + square.sqrt()) / -lowest
+        } else if denominator > 0.0 {
+            2.0 * rotation / denominator
+        } else {
+            0.0
+        }
+    };
+    // A parabola that is too high gives a length, on which a parabola that is low enough can be drawn.
+    let length = root(acceleration).min(longest);
+    root(acceleration - length * fall(length)).min(length)
+}
+
+/// The impact at the end of the march. The flight is long, so what a short one must have by itself is had by difference.
+fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), forced: f64) -> Landing {
+    let Takeoff { speed, forcing, .. } = *takeoff;
+    let (sinh, cosh) = (interval.sinh(), interval.cosh());
+    let velocity = velocity.min(0.0);
+    // u_τ = u' - v cosh s - b sinh s, and its derivative
+    let by_time =
+        (velocity - speed * cosh - forcing.acceleration * sinh, forced - speed * sinh - forcing.acceleration * cosh);
+    let rotation_error = 16.0 * UNIT * (speed + interval) * interval * cosh;
+    Landing {
+        interval,
+        gain: velocity + speed,
+        velocity,
+        acceleration: forced,
+        by_speed: (sinh, cosh),
+        by_time,
+        rounding: (
+            rotation_error / velocity.abs().max(f64::MIN_POSITIVE) + UNIT * interval,
+            16.0 * UNIT * (speed + interval) * cosh,
+        ),
+    }
+}

@@ -1,0 +1,137 @@
+//! The sequence of flights and impacts (Eq. 13), with the bound on the error that each one inherits and adds.
+
+use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
+
+use crate::{
+    UNIT,
+    flight::{Landing, Outcome, Takeoff},
+    flow::Flow,
+    forcing::{Excitation, Forcing, HalfPhase},
+    twofold::Twofold,
+};
+
+/// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
+const SLOWEST: f64 = 1e-280;
+
+/// Bounds on the absolute errors of the time and of the speed after an impact.
+#[derive(Clone, Copy)]
+struct Errors {
+    time: f64,
+    speed: f64,
+}
+
+/// Steps through the impacts of a case that rocks.
+pub(crate) fn follow(case: &Case) -> History {
+    let excitation = Excitation::new(case.epsilon(), case.omega());
+    let flow = Flow::new(case.omega());
+    let half_period = core::f64::consts::PI / case.omega();
+    let (horizon, beyond) = match case.horizon() {
+        Horizon::HalfPeriod => (half_period, Ending::Incomplete),
+        Horizon::Until(time) => (time, Ending::LimitReached(Limit::Time)),
+    };
+
+    let mut impacts = Vec::with_capacity(case.max_impacts().min(1024));
+    let mut time = Twofold::ZERO;
+    let mut speed = Twofold::ZERO;
+    let mut sign = -1.0;
+    let mut forcing = excitation.forcing(sign, HalfPhase { sin: 0.0, cos: 1.0 });
+    let mut errors = Errors { time: 0.0, speed: 0.0 };
+    let mut guesses = [None, None];
+    let mut complete = false;
+    let ending = loop {
+        let [guess, other] = guesses;
+        let takeoff = Takeoff {
+            excitation: &excitation,
+            flow: &flow,
+            time,
+            sign,
+            speed: speed.high,
+            forcing,
+            guess,
+            horizon: horizon - time.high,
+        };
+        let landing = match takeoff.fly() {
+            Outcome::Landing(landing) => landing,
+            Outcome::Aloft => break beyond,
+            Outcome::Overturned => break Ending::Overturned,
+            Outcome::Stuck => break Ending::Lost(Loss::SolverFailed),
+        };
+        time = time.plus(landing.interval);
+        let half = excitation.half_phase(time);
+        // At T/2 half the phase is π/2: its cosine tells on which side of it an impact lies that the time alone can't tell from it.
+        let past = case.horizon() == Horizon::HalfPeriod && half.cos <= 0.0;
+        if past || time.high >= horizon {
+            break beyond;
+        }
+        let interval_error;
+        (errors, interval_error) = inherit(&takeoff, &landing, errors, case.eta());
+        speed = speed.plus(-landing.gain).times(case.eta());
+        sign = -sign;
+        forcing = excitation.forcing(sign, half);
+        if !(landing.interval > 0.0 && speed.high >= 0.0 && time.high.is_finite()) {
+            break Ending::Lost(Loss::NotFinite);
+        }
+        impacts.push(Impact {
+            time: time.high,
+            interval: landing.interval,
+            velocity: sign * speed.high,
+            uncertainty: Uncertainty {
+                time: errors.time + UNIT * time.high,
+                interval: interval_error / landing.interval,
+                velocity: errors.speed / speed.high + UNIT,
+            },
+        });
+        guesses = [other, Some(landing.interval)];
+        complete = complete || is_complete(&excitation, &forcing, speed.high, case.eta());
+        if speed.high < SLOWEST {
+            break if complete { Ending::AtRest } else { Ending::Lost(Loss::NotFinite) };
+        }
+        if impacts.len() >= case.max_impacts() {
+            break if complete { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) };
+        }
+    };
+    History { impacts, ending, chattering_time: None }
+}
+
+/// The errors after an impact, and that of the interval: what the flight makes of those it started with, through its
+/// derivatives (that of the impact time follows from `u = 0`), and what its own rounding adds.
+fn inherit(takeoff: &Takeoff, landing: &Landing, errors: Errors, eta: f64) -> (Errors, f64) {
+    let (sinh, cosh) = landing.by_speed;
+    let (tilt, turn) = landing.by_time;
+    let slowness = -1.0 / landing.velocity.min(-f64::MIN_POSITIVE);
+    let (interval_by_speed, interval_by_time) = (sinh * slowness, tilt * slowness);
+    let (own, own_gain) = landing.rounding;
+    // Moving the impact by ds changes the speed by u'' ds, less what the parabola changes without changing the gain.
+    let off_parabola = landing.acceleration - 2.0 * landing.velocity / landing.interval;
+    let inherited = Errors {
+        time: (1.0 + interval_by_time).abs() * errors.time
+            + interval_by_speed * errors.speed
+            + own
+            + UNIT * UNIT * takeoff.time.high,
+        speed: eta
+            * ((cosh + landing.acceleration * interval_by_speed).abs() * errors.speed
+                + (turn + landing.acceleration * interval_by_time).abs() * errors.time
+                + off_parabola.abs() * own
+                + own_gain
+                + 4.0 * UNIT * UNIT * takeoff.speed),
+    };
+    (inherited, interval_by_time.abs() * errors.time + interval_by_speed * errors.speed + own)
+}
+
+/// Whether infinitely many impacts are sure to follow and to accumulate while the forcing still holds the block down.
+///
+/// In a window of length `r = x g/(2ωa)` after the impact, with `g` the smaller of `1 ± f`, the pull towards the base stays within
+/// a factor `1 ± x` of what it is now, on each side. A flight that leaves with speed `v` then lasts at most `2v/((1 - x) g)`, and the next leaves
+/// with at most `q v`, `q = η sqrt((1 + x)/(1 - x))`. If the geometric sum of them fits into the window, the bounds hold for all.
+fn is_complete(excitation: &Excitation, forcing: &Forcing, speed: f64, eta: f64) -> bool {
+    // (1 - f) + (1 + f) = 2
+    let pull = -forcing.acceleration;
+    let weaker = pull.min(2.0 - pull);
+    // q < 1 for every η. One half of the share is for the change of the forcing, the other for the rotation itself, at most v r.
+    let share = 0.25 * (1.0 - eta * eta);
+    let window = 0.5 * share * weaker / (excitation.omega * excitation.amplitude);
+    let ratio = eta * ((1.0 + share) / (1.0 - share)).sqrt();
+    weaker > 0.0
+        && speed * window <= 0.5 * share * weaker
+        && 2.0 * speed <= window * (1.0 - share) * weaker * (1.0 - ratio)
+}

@@ -1,0 +1,67 @@
+//! The global clock: one solver runs over absolute time in the units of the problem, stops at a root, has its state set and continues,
+//! as in the bouncing ball of diffsol's own examples. It is kept to be studied; it loses the sequence, and says so where it can tell.
+
+use core::cell::Cell;
+
+use contract::{Ending, Loss};
+use diffsol::{OdeSolverMethod, OdeSolverStopReason};
+
+use crate::equation::Motion;
+use crate::flight::Scaled;
+use crate::run::{Equations, Flight, Launch, Outcome};
+
+/// It bounds the work in a flight, as steps on this clock can become arbitrarily small.
+const MOST_STEPS: usize = 20_000;
+/// The share of the expected flight that the first step covers. With one that covers all of it the event function has the sign of the
+/// fall at the end and none at the start, and diffsol misses the impact without a word.
+const FIRST_STEP: f64 = 0.25;
+
+/// A solver on the global clock. The equations of its problem read the sign of the flight from `sign`.
+pub(crate) struct Naive<'c, S> {
+    pub solver: S,
+    pub sign: &'c Cell<f64>,
+    pub motion: Motion,
+}
+
+impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'_, S> {
+    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome {
+        let &Launch { i, velocity, .. } = launch;
+        self.sign.set(i);
+        let state = self.solver.state_mut();
+        let start = *state.t;
+        (state.y[0], state.y[1]) = (0.0, velocity);
+        (state.dy[0], state.dy[1]) = (velocity, self.motion.acceleration(i, self.motion.excess(i, start), 0.0));
+        *state.h = FIRST_STEP * Scaled::new(&self.motion, &Launch { tau: start, ..*launch }).time;
+        let mut last = start;
+        for _ in 0..MOST_STEPS {
+            let Ok(reason) = self.solver.step() else {
+                return Outcome::Ended(Ending::Lost(Loss::SolverFailed));
+            };
+            if let OdeSolverStopReason::RootFound(t, _) = reason {
+                if self.solver.state_mut_back(t).is_err() {
+                    return Outcome::Ended(Ending::Lost(Loss::SolverFailed));
+                }
+                return Outcome::landed(t - start, -i * self.solver.state().y[1], time_left);
+            }
+            let state = self.solver.state();
+            let (t, u, du) = (state.t, i * state.y[0], i * state.y[1]);
+            if !(t + u + du).is_finite() {
+                return Outcome::Ended(Ending::Lost(Loss::NotFinite));
+            }
+            if t <= last {
+                return Outcome::Ended(Ending::Lost(Loss::Stalled));
+            }
+            if u <= 0.0 {
+                return Outcome::Ended(Ending::Lost(Loss::FellThrough));
+            }
+            if t - start >= time_left {
+                return Outcome::TimeIsUp;
+            }
+            if self.motion.is_past_return(u, du) {
+                return Outcome::Ended(Ending::Overturned);
+            }
+            last = t;
+        }
+        Outcome::Ended(Ending::Lost(Loss::SolverFailed))
+    }
+}

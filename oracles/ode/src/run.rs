@@ -1,0 +1,225 @@
+//! From flight to flight: the impacts, and why they end.
+
+use core::cell::Cell;
+
+use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
+use diffsol::{
+    DiffsolError, NalgebraContext, NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquationsImplicit,
+    OdeSolverProblem,
+};
+
+use crate::equation::Motion;
+use crate::flight::{Rescaled, Scaled};
+use crate::naive::Naive;
+use crate::{Flights, Method, Ode};
+
+/// Intervals below this have nothing left to resolve: the rotations, of the order of their square, near the smallest double.
+const LEAST_INTERVAL: f64 = 1e-140;
+
+/// What the impacts of [`Ode::impacts`](crate::Ode::impacts) claim: nothing.
+const NO_CLAIM: Uncertainty = Uncertainty { time: f64::INFINITY, interval: f64::INFINITY, velocity: f64::INFINITY };
+
+type Matrix = NalgebraMat<f64>;
+type Lu = NalgebraLU<f64>;
+
+/// The equations of a diffsol problem on the small dense types used here.
+pub(crate) trait Equations:
+    OdeEquationsImplicit<M = Matrix, V = NalgebraVec<f64>, T = f64, C = NalgebraContext>
+{
+}
+impl<E: OdeEquationsImplicit<M = Matrix, V = NalgebraVec<f64>, T = f64, C = NalgebraContext>> Equations for E {}
+
+/// How a flight starts: its sign, the time, and the velocity just after the impact (0 in the first).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Launch {
+    pub i: f64,
+    pub tau: f64,
+    pub velocity: f64,
+}
+
+/// How a flight ended.
+pub(crate) enum Outcome {
+    /// With an impact, `interval` after its start, at the speed `speed`.
+    Impact { interval: f64, speed: f64 },
+    /// It was still in the air when the time was up.
+    TimeIsUp,
+    /// In a way that ends the history.
+    Ended(Ending),
+}
+
+impl Outcome {
+    /// The impact, if it is one, and if it comes in time.
+    pub fn landed(interval: f64, speed: f64, time_left: f64) -> Self {
+        if !(interval.is_finite() && speed.is_finite() && speed > 0.0) {
+            Self::Ended(Ending::Lost(Loss::NotFinite))
+        } else if interval <= 0.0 {
+            Self::Ended(Ending::Lost(Loss::Stalled))
+        } else if interval >= time_left {
+            Self::TimeIsUp
+        } else {
+            Self::Impact { interval, speed }
+        }
+    }
+}
+
+/// Something that flies one flight after the other.
+pub(crate) trait Flight<'a, E> {
+    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome;
+}
+
+/// All impacts of `case`, claiming nothing.
+pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64) -> History {
+    // A solver that cannot even be made has lost the sequence before its first impact.
+    let failed = |_: DiffsolError| History {
+        impacts: Vec::new(),
+        ending: Ending::Lost(Loss::SolverFailed),
+        chattering_time: None,
+    };
+    match ode.flights {
+        Flights::Rescaled => rescaled(ode.method, case, motion, rtol),
+        Flights::Naive => naive(ode.method, case, motion, rtol),
+    }
+    .unwrap_or_else(failed)
+}
+
+/// Calls `$then` with the solver that `$method` names; each is a type of its own.
+macro_rules! with_solver {
+    ($method:expr, $problem:expr, |$solver:ident| $then:expr) => {
+        match $method {
+            Method::Tsit45 => $problem.tsit45().map(|$solver| $then),
+            Method::Bdf => $problem.bdf::<Lu>().map(|$solver| $then),
+            Method::TrBdf2 => $problem.tr_bdf2::<Lu>().map(|$solver| $then),
+            Method::Esdirk34 => $problem.esdirk34::<Lu>().map(|$solver| $then),
+        }
+    };
+}
+
+fn rescaled(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<History, DiffsolError> {
+    let first = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+    let units = &Cell::new(Scaled::new(motion, &first));
+    let mut problem = OdeBuilder::<Matrix>::new()
+        .rtol(rtol)
+        .atol([rtol])
+        .rhs_implicit(
+            |y, _, xi, dy| {
+                if let (&[chi, velocity], [dchi, dvelocity]) = (y, dy) {
+                    (*dchi, *dvelocity) = (velocity, units.get().acceleration(xi, chi));
+                }
+            },
+            |y, _, xi, v, jv| {
+                if let (&[chi, _], &[v0, v1], [j0, j1]) = (y, v, jv) {
+                    (*j0, *j1) = (v1, units.get().stiffness(xi, chi) * v0);
+                }
+            },
+        )
+        .root(
+            |y, _, xi, g| {
+                if let (&[chi, _], [g]) = (y, g) {
+                    *g = units.get().event(xi, chi);
+                }
+            },
+            1,
+        )
+        .init(|_, _, y| y.fill(0.0), 2)
+        .build()?;
+    tame(&mut problem);
+    with_solver!(method, problem, |solver| follow(
+        case,
+        motion,
+        Rescaled { solver, units, motion: *motion, method, rtol }
+    ))
+}
+
+fn naive(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<History, DiffsolError> {
+    let sign = &Cell::new(-1.0);
+    let mut problem = OdeBuilder::<Matrix>::new()
+        .rtol(rtol)
+        .atol([rtol])
+        .rhs_implicit(
+            |y, _, tau, dy| {
+                if let (&[phi, velocity], [dphi, dvelocity]) = (y, dy) {
+                    let i = sign.get();
+                    (*dphi, *dvelocity) = (velocity, motion.acceleration(i, motion.excess(i, tau), phi));
+                }
+            },
+            |y, _, tau, v, jv| {
+                if let (&[phi, _], &[v0, v1], [j0, j1]) = (y, v, jv) {
+                    let i = sign.get();
+                    (*j0, *j1) = (v1, motion.stiffness(i, motion.excess(i, tau), phi) * v0);
+                }
+            },
+        )
+        .root(
+            |y, _, _, g| {
+                if let (&[phi, _], [g]) = (y, g) {
+                    *g = phi;
+                }
+            },
+            1,
+        )
+        .init(|_, _, y| y.fill(0.0), 2)
+        .build()?;
+    tame(&mut problem);
+    with_solver!(method, problem, |solver| follow(case, motion, Naive { solver, sign, motion: *motion }))
+}
+
+/// Lifts the limits that are counted over the life of a solver, which here is a whole history; a flight has a limit of its own.
+fn tame<E: Equations>(problem: &mut OdeSolverProblem<E>) {
+    problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
+    problem.ode_options.min_timestep = 1e-18;
+}
+
+/// Follows the block from impact to impact.
+fn follow<'a, E: Equations + 'a>(case: &Case, motion: &Motion, mut flight: impl Flight<'a, E>) -> History {
+    let (horizon, out_of_time) = match case.horizon() {
+        Horizon::HalfPeriod => (motion.half_period(), Ending::Incomplete),
+        Horizon::Until(tau) => (tau, Ending::LimitReached(Limit::Time)),
+    };
+    let mut impacts = Vec::with_capacity(case.max_impacts().min(1024));
+    let mut clock = Clock::default();
+    let mut launch = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+    let mut certain = false;
+    let ending = loop {
+        let (interval, speed) = match flight.fly(&launch, clock.left_until(horizon)) {
+            Outcome::Impact { interval, speed } => (interval, speed),
+            Outcome::TimeIsUp => break out_of_time,
+            Outcome::Ended(ending) => break ending,
+        };
+        clock.advance(interval);
+        // Eq. 13: the velocity keeps its sign, and so is that of the flight that follows.
+        let i = -launch.i;
+        launch = Launch { i, tau: clock.now, velocity: i * case.eta() * speed };
+        impacts.push(Impact { time: clock.now, interval, velocity: launch.velocity, uncertainty: NO_CLAIM });
+        certain = certain || motion.comes_to_rest(case.eta(), clock.now, launch.velocity.abs());
+        let too_short = interval < LEAST_INTERVAL;
+        if too_short || impacts.len() >= case.max_impacts() {
+            break match (certain, too_short) {
+                (true, _) => Ending::AtRest,
+                (false, true) => Ending::Lost(Loss::Stalled),
+                (false, false) => Ending::LimitReached(Limit::Impacts),
+            };
+        }
+    };
+    History { impacts, ending, chattering_time: None }
+}
+
+/// The time since initiation as a compensated sum (Knuth's two-sum): the late intervals are far below its last digit.
+#[derive(Debug, Default)]
+struct Clock {
+    now: f64,
+    rest: f64,
+}
+
+impl Clock {
+    fn advance(&mut self, interval: f64) {
+        let add = interval + self.rest;
+        let sum = self.now + add;
+        let virtual_add = sum - self.now;
+        self.rest = (self.now - (sum - virtual_add)) + (add - virtual_add);
+        self.now = sum;
+    }
+
+    fn left_until(&self, horizon: f64) -> f64 {
+        (horizon - self.now) - self.rest
+    }
+}
