@@ -1,1 +1,29 @@
+//! Differential verification of the *chattering* of a rocking rigid block: the infinitely many impacts in finite time by which a block that
+//! rocks under weak ground shaking comes to rest.
+//!
+//! Independent methods (oracles) are asked the same cases and compared impact by impact. The way of a case through the harness:
+//!
+//! 1. [`generate`] makes it, or it is read from a [`case_file`].
+//! 2. The [`panel`] of oracles is asked ([`answer`]).
+//! 3. The [`observables`] are derived from each history in the same way; [`zeno`] closes the infinite sum.
+//! 4. The [`laws`] are checked on each history, and each pair is [`compare`]d, with what the [`tolerance`] table allows ([`examine`]).
+//! 5. [`verify`] does this for all cases and makes a [`report`]; [`shrink`] and [`replay`] make something small of what failed.
 
+pub mod answer;
+pub mod case_file;
+pub mod compare;
+pub mod critical;
+pub mod examine;
+pub mod generate;
+pub mod hex_float;
+pub mod ladder;
+pub mod laws;
+pub mod model_gap;
+pub mod observables;
+pub mod panel;
+pub mod replay;
+pub mod report;
+pub mod shrink;
+pub mod tolerance;
+pub mod verify;
+pub mod zeno;

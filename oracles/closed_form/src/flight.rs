@@ -92,9 +92,9 @@ impl Takeoff<'_> {
             let bend = s * s * ((self.speed + jerk) / 3.0 + 0.25 * s * (acceleration + snap));
             let step = newton * (1.0 - 0.5 * newton * bend / slope);
             s += s * step;
-            // The gain is wanted at the root itself. It grows as s², which carries it over a small step if the flight is short.
+            // The gain is wanted at the root itself; its slope carries it over a small step if the flight is short.
             if step.abs() <= 1e-8 && step.abs() * s * s <= smallest {
-                let motion = Motion { gain: motion.gain * (1.0 + 2.0 * step), ..motion };
+                let motion = Motion { gain: motion.gain + step * motion.gain_slope, ..motion };
                 return Some((sums, self.landing(s, &sums, &motion)));
             }
         }

@@ -66,6 +66,8 @@ pub(crate) struct Motion {
     pub velocity: f64,
     /// `u' - 2h + v`, which at the impact is `u' + v`: how much slower the flight lands than it left.
     pub gain: f64,
+    /// `s` times the derivative of `gain`, but for terms smaller by `(max(1, ω) s)²`.
+    pub gain_slope: f64,
     /// The size of the terms that `gain` is the sum of.
     pub gain_size: f64,
 }
@@ -125,12 +127,14 @@ impl Sums {
         let forced = (jerk * c, s * snap * d);
         let deflated = free.0 + (free.1 + s * s * (forced.0 + forced.1));
         let gains = (velocity * p, s * acceleration * q, jerk * r, s * snap * v);
-        let gain = s * s * (gains.0 + gains.1 + (gains.2 + gains.3));
+        let (square, cube) = (gains.0 + gains.2, gains.1 + gains.3);
+        let gain = s * s * (square + cube);
         Motion {
             deflated,
             size: free.0.abs() + free.1.abs() + s * s * (forced.0.abs() + forced.1.abs()),
             velocity: (2.0 * deflated - velocity) + gain,
             gain,
+            gain_slope: s * s * (2.0 * square + 3.0 * cube),
             gain_size: s * s * (gains.0.abs() + gains.1.abs() + (gains.2.abs() + gains.3.abs())),
         }
     }

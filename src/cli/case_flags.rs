@@ -1,0 +1,88 @@
+//! The flags that give one case, and the oracle to ask.
+
+use chattercheck::{case_file::CaseFields, panel};
+use clap::Args;
+use contract::{Case, Invalid, Oracle};
+
+/// A dimensionless case. Each value means the double nearest to it.
+#[derive(Args)]
+pub(crate) struct CaseFlags {
+    /// Amplitude of the ground acceleration; rocking starts at 1
+    #[arg(
+        long,
+        value_name = "A",
+        required_unless_present = "epsilon",
+        conflicts_with = "epsilon",
+        allow_negative_numbers = true
+    )]
+    a: Option<f64>,
+    /// a - 1, without the rounding of a
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    epsilon: Option<f64>,
+    /// Frequency ratio omega_g/p
+    #[arg(long, value_name = "W", allow_negative_numbers = true)]
+    omega: f64,
+    /// Coefficient of restitution
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    eta: f64,
+    /// Slenderness angle in radians, for the nonlinear model
+    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    alpha: Option<f64>,
+    /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
+    #[arg(long, value_name = "threshold|slender", requires = "alpha")]
+    normalisation: Option<String>,
+    /// Follow the block to this time tau, past half a period if it still rocks
+    #[arg(long, value_name = "TAU", allow_negative_numbers = true)]
+    until: Option<f64>,
+}
+
+impl CaseFlags {
+    /// The case, listing up to `impacts` impacts.
+    pub fn case(&self, impacts: usize) -> Result<Case, Invalid> {
+        let fields = CaseFields {
+            a: self.a,
+            epsilon: self.epsilon,
+            omega: self.omega,
+            eta: self.eta,
+            alpha: self.alpha,
+            normalisation: self.normalisation.clone(),
+            impacts: Some(impacts),
+            until: self.until,
+        };
+        fields.case()
+    }
+}
+
+/// Which oracle to ask, and its settings.
+#[derive(Args)]
+pub(crate) struct OracleFlags {
+    /// The method; see `chattercheck oracles`
+    #[arg(long, value_name = "NAME", default_value = "closed-form")]
+    oracle: String,
+    /// For ode: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
+    #[arg(long, value_name = "MODEL")]
+    model: Option<String>,
+    /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
+    #[arg(long, value_name = "METHOD")]
+    method: Option<String>,
+    /// For ode: the relative tolerance [default: the method's own]
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    rtol: Option<f64>,
+    /// For ode: each flight in its own units, or all on one clock: rescaled or naive [default: rescaled]
+    #[arg(long, value_name = "FLIGHTS")]
+    flights: Option<String>,
+}
+
+impl OracleFlags {
+    /// The oracle, for a case with or without slenderness.
+    pub fn oracle(&self, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
+        let fallback = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
+        let settings = panel::OdeSettings {
+            equation: self.model.as_deref(),
+            method: self.method.as_deref(),
+            flights: self.flights.as_deref(),
+            rtol: self.rtol,
+        };
+        panel::one(&self.oracle, &settings, fallback)
+    }
+}

@@ -1,0 +1,120 @@
+use std::io::Write as _;
+
+use anyhow::anyhow;
+use chattercheck::observables::Observed;
+use clap::{Args, ValueEnum};
+use contract::{Case, Ending};
+use serde::Serialize;
+
+use super::{
+    Verdict,
+    case_flags::{CaseFlags, OracleFlags},
+};
+
+/// The chattering time of one case: when the infinite sequence of impacts comes to rest
+#[derive(Args)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    case: CaseFlags,
+    #[command(flatten)]
+    oracle: OracleFlags,
+    /// Close the sum after this many impacts [default: as many as the restitution and the closeness to a_cr need]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    impacts: Option<usize>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    /// Whether the amplitude exceeds the threshold at all.
+    rocks: bool,
+    /// `null` if it does not rock, or the list of impacts is too short to tell.
+    complete: Option<bool>,
+    tau_ch: Option<f64>,
+    uncertainty: Option<f64>,
+    /// `tau_ch/(T/2)`.
+    half_period_fraction: Option<f64>,
+    impacts: usize,
+    oracle: &'a str,
+    method: &'static str,
+    ending: String,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let mut impacts = arguments.impacts.unwrap_or(64);
+    let (oracle, observed, case) = loop {
+        let case = arguments.case.case(impacts)?;
+        let oracle = arguments.oracle.oracle(&case)?;
+        let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
+        let observed = Observed::new(&case, history);
+        // Not told how many, take more impacts as long as they sharpen the answer.
+        if arguments.impacts.is_some() || impacts >= MOST_IMPACTS || !gains_from_more(&observed, impacts) {
+            break (oracle, observed, case);
+        }
+        impacts *= 2;
+    };
+    let answer = answer(oracle.name(), &case, &observed);
+    let mut stdout = std::io::stdout().lock();
+    match arguments.format {
+        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(&answer)?)?,
+        Format::Text => writeln!(stdout, "{}", text(&answer))?,
+    }
+    Ok(Verdict::Well)
+}
+
+/// Even at a relative distance of 1e-15 to the critical amplitude this many are enough.
+const MOST_IMPACTS: usize = 16_384;
+
+/// Whether the outcome is still open, or the error of closing the sum exceeds what the impacts themselves are uncertain by.
+fn gains_from_more(observed: &Observed, impacts: usize) -> bool {
+    let history = &observed.history;
+    let listed_all = history.impacts.len() < impacts;
+    let own = history.impacts.last().map_or(0.0, |last| last.uncertainty.time);
+    let closed = observed.chattering_time.is_some_and(|time| time.uncertainty <= 2.0 * own);
+    !listed_all && history.chattering_time.is_none() && !closed
+}
+
+fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
+    let history = &observed.history;
+    let time = observed.chattering_time;
+    Answer {
+        rocks: history.ending != Ending::NeverRocks,
+        complete: match history.ending {
+            Ending::AtRest => Some(true),
+            Ending::Incomplete | Ending::Overturned => Some(false),
+            Ending::NeverRocks | Ending::LimitReached(_) | Ending::Lost(_) => None,
+        },
+        tau_ch: time.map(|time| time.value),
+        uncertainty: time.map(|time| time.uncertainty),
+        half_period_fraction: time.map(|time| time.value * case.omega() / std::f64::consts::PI),
+        impacts: history.impacts.len(),
+        oracle,
+        method: if history.chattering_time.is_some() {
+            "its own sum"
+        } else {
+            "extrapolation in eta^2 (Eq. 75 to higher orders)"
+        },
+        ending: history.ending.to_string(),
+    }
+}
+
+fn text(answer: &Answer) -> String {
+    if !answer.rocks {
+        return "does not rock: the amplitude does not exceed the threshold (rocks: false, tau_ch: null)".to_owned();
+    }
+    match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
+        (Some(time), Some(uncertainty), Some(fraction)) => format!(
+            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:.15} T/2, complete, by {} from {} impacts ({})",
+            answer.oracle, answer.impacts, answer.method
+        ),
+        _ => format!("no chattering time: {} after {} impacts, by {}", answer.ending, answer.impacts, answer.oracle),
+    }
+}

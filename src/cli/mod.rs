@@ -1,0 +1,87 @@
+//! The command line: one file a command; each parses, calls the library and prints.
+
+mod case_flags;
+mod chattering_time;
+mod oracles;
+mod replay;
+mod report_files;
+mod simulate;
+mod verify;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Differential verification of the chattering of a rocking rigid block.
+///
+/// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Verify(verify::Arguments),
+    Replay(replay::Arguments),
+    Simulate(simulate::Arguments),
+    ChatteringTime(chattering_time::Arguments),
+    Oracles(oracles::Arguments),
+}
+
+/// What a command that ran came to.
+pub(crate) enum Verdict {
+    /// All is well.
+    Well,
+    /// A check disagreed.
+    Disagreed,
+}
+
+/// Parses the command line and runs the command.
+pub(crate) fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refuse(&error),
+    };
+    let result = match cli.command {
+        Command::Verify(arguments) => verify::run(&arguments),
+        Command::Replay(arguments) => replay::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::ChatteringTime(arguments) => chattering_time::run(&arguments),
+        Command::Oracles(arguments) => oracles::run(&arguments),
+    };
+    match result {
+        Ok(Verdict::Well) => ExitCode::SUCCESS,
+        Ok(Verdict::Disagreed) => ExitCode::from(1),
+        // A reader that has seen enough, as in `chattercheck simulate | head`, is no error.
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("chattercheck: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints clap's help as it is, and its errors in one line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() || error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = error.print();
+        return if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
+    }
+    let text = error.to_string();
+    let lines = text.lines().take_while(|line| !line.starts_with("Usage") && !line.starts_with("For more"));
+    let line = lines.map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    eprintln!("chattercheck: {}", line.trim_start_matches("error: "));
+    ExitCode::from(2)
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    let io = error.chain().filter_map(|cause| cause.downcast_ref::<std::io::Error>());
+    let of_csv = error.chain().filter_map(|cause| match cause.downcast_ref::<csv::Error>()?.kind() {
+        csv::ErrorKind::Io(io) => Some(io),
+        _ => None,
+    });
+    io.chain(of_csv).any(|io| io.kind() == std::io::ErrorKind::BrokenPipe)
+}

@@ -1,0 +1,17 @@
+use chattercheck::panel;
+use clap::Args;
+
+use super::Verdict;
+
+/// List the oracles, and which of them `verify` asks by default
+#[derive(Args)]
+pub(super) struct Arguments {}
+
+pub(super) fn run(_: &Arguments) -> anyhow::Result<Verdict> {
+    let default = panel::default();
+    for oracle in panel::all() {
+        let asked = if default.iter().any(|other| other.name() == oracle.name()) { "default" } else { "by name" };
+        println!("{:24} {:10} {asked}", oracle.name(), format!("{:?}", oracle.model()).to_lowercase());
+    }
+    Ok(Verdict::Well)
+}

@@ -1,0 +1,101 @@
+use std::{fs, path::PathBuf};
+
+use anyhow::Context as _;
+use chattercheck::{
+    ladder, panel,
+    replay::Replay,
+    report::{self, Report},
+    shrink::shrink,
+    verify::{self, Failure, Request},
+};
+use clap::Args;
+use contract::{Invalid, Oracle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rayon::prelude::*;
+
+use super::{Verdict, report_files::ReportFiles};
+
+/// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// How many random cases, beside those of the other generators
+    #[arg(long, value_name = "N", default_value_t = Request::DEFAULT_CASES, allow_negative_numbers = true)]
+    cases: usize,
+    /// Seed of the random cases
+    #[arg(long, value_name = "S", default_value_t = 1, env = "CHATTERCHECK_SEED", allow_negative_numbers = true)]
+    seed: u64,
+    /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel]
+    #[arg(long, value_name = "LIST")]
+    oracles: Option<String>,
+    #[command(flatten)]
+    files: ReportFiles,
+    /// Run only the K-th of N shares of the cases
+    #[arg(long, value_name = "K/N", default_value = "1/1")]
+    partition: String,
+    /// Where replay files of failures go
+    #[arg(long, value_name = "DIR", default_value = "chattercheck-replays")]
+    replays: PathBuf,
+    /// No progress bar
+    #[arg(long)]
+    quiet: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let panel = match &arguments.oracles {
+        Some(list) => panel::select(list)?,
+        None => panel::default(),
+    };
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let partition = partition(&arguments.partition)?;
+    arguments.files.check()?;
+    let cases = verify::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
+    let bar = progress(cases.len() as u64, arguments.quiet);
+    let ladders = ladder::descend(&panel)?;
+    let (report, failures) = verify::run(&panel, &cases, arguments.seed, ladders, || bar.inc(1));
+    bar.finish_and_clear();
+    print!("{}", report::text(&report));
+    arguments.files.write(&report, &cases)?;
+    write_replays(&panel, &report, &failures, &arguments.replays)?;
+    Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
+}
+
+/// `K/N` with `1 <= K <= N`.
+fn partition(text: &str) -> Result<(usize, usize), Invalid> {
+    text.split_once('/')
+        .and_then(|(part, parts)| Some((part.parse().ok()?, parts.parse().ok()?)))
+        .filter(|&(part, parts): &(usize, usize)| 1 <= part && part <= parts)
+        .ok_or_else(|| Invalid::new("partition", text, "K/N with 1 <= K <= N"))
+}
+
+fn progress(length: u64, quiet: bool) -> ProgressBar {
+    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let bar = ProgressBar::with_draw_target(Some(length), target);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} cases, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+/// How many failures are shrunk and written.
+const MOST_REPLAYS: usize = 10;
+
+/// Shrinks the first fault of the first failures and writes each to a file.
+fn write_replays(panel: &[&dyn Oracle], report: &Report, failures: &[Failure], folder: &PathBuf) -> anyhow::Result<()> {
+    let replays: Vec<Replay> = failures
+        .par_iter()
+        .take(MOST_REPLAYS)
+        .filter_map(|failure| {
+            let (case, fault) = shrink(panel, &failure.named.case, failure.faults.first()?);
+            Some(Replay::new(&case, &fault, failure.named.to_string(), report.seed, &report.oracles))
+        })
+        .collect();
+    if !replays.is_empty() {
+        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    }
+    for (number, replay) in (1..).zip(&replays) {
+        let path = folder.join(format!("seed-{}-{number}.toml", report.seed));
+        fs::write(&path, replay.to_text()?).with_context(|| format!("cannot write {}", path.display()))?;
+        eprintln!("shrunk: {}\n  run again: chattercheck replay {}", replay.fault, path.display());
+    }
+    Ok(())
+}

@@ -1,0 +1,230 @@
+//! Two histories of one case, impact by impact.
+
+use std::collections::BTreeMap;
+
+use contract::{Case, Ending, Horizon, Limit, Loss};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    model_gap::ModelGap,
+    observables::{Observable, Observed},
+    tolerance,
+};
+
+/// What came out of comparing two histories.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The largest share of its allowance that each observable used.
+    pub worst: BTreeMap<Observable, Figure>,
+    /// How many impacts were compared.
+    pub impacts: usize,
+    /// Of them, how many in name only: what the oracles claim is so wide that any interval would have passed.
+    pub vacuous: usize,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+/// The verdict on a pair and a case.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// Everything was within what is allowed.
+    Agree,
+    /// Something was not. What came after it is poisoned and was not judged.
+    Disagree(Disagreement),
+    /// The endings differ, but the case is nearer to the critical amplitude than the claims can tell.
+    TooClose,
+}
+
+/// A difference and what was allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Figure {
+    /// At which impact; 0 if it is of the whole history.
+    pub impact: usize,
+    /// The difference, in the scale of the observable.
+    pub difference: f64,
+    /// What was allowed: the claims, and the entry of the tolerance table.
+    pub allowed: f64,
+}
+
+/// The first thing that two histories disagree on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Disagreement {
+    /// What differs.
+    pub observable: Observable,
+    /// By how much, where, and what was allowed.
+    pub figure: Figure,
+    /// The two values, printed.
+    pub values: [String; 2],
+    /// How many later impacts were not judged.
+    pub poisoned: usize,
+}
+
+impl Figure {
+    /// The share of the allowance that was used; above 1 is too much. Anything that is not a number is too much.
+    pub fn share(&self) -> f64 {
+        match self.difference / self.allowed {
+            _ if self.difference == 0.0 => 0.0,
+            share if share.is_nan() => f64::INFINITY,
+            share => share,
+        }
+    }
+
+    fn is_allowed(&self) -> bool {
+        self.difference <= self.allowed
+    }
+}
+
+/// Compares two histories of `case`; `gap` is the difference allowed between their models, if these differ, and scales the velocities of
+/// the second, nonlinear one.
+pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelGap>) -> Comparison {
+    let (mine, theirs) = (&first.history.impacts, &second.history.impacts);
+    let common = mine.len().min(theirs.len());
+    let mut comparison = Comparison { worst: BTreeMap::new(), impacts: 0, vacuous: 0, verdict: Verdict::Agree };
+    for n in 1..=common {
+        comparison.impacts += 1;
+        for observable in Observable::OF_AN_IMPACT {
+            let Some((figure, values)) = figure(observable, n, first, second, gap) else { continue };
+            if observable == Observable::Interval && figure.allowed > 0.5 {
+                comparison.vacuous += 1;
+            }
+            comparison.note(observable, figure);
+            if !figure.is_allowed() {
+                let poisoned = common - n;
+                comparison.verdict = Verdict::Disagree(Disagreement { observable, figure, values, poisoned });
+                return comparison;
+            }
+        }
+    }
+    comparison.verdict = endings(case, first, second, gap, common);
+    if comparison.verdict != Verdict::Agree {
+        return comparison;
+    }
+    if let (Some(mine), Some(theirs)) = (first.chattering_time, second.chattering_time) {
+        let figure = Figure {
+            impact: 0,
+            difference: (mine.value - theirs.value).abs(),
+            allowed: mine.uncertainty + theirs.uncertainty + slack(Observable::ChatteringTime, 0, gap),
+        };
+        comparison.note(Observable::ChatteringTime, figure);
+        if !figure.is_allowed() {
+            comparison.verdict = Verdict::Disagree(Disagreement {
+                observable: Observable::ChatteringTime,
+                figure,
+                values: [format!("{:?}", mine.value), format!("{:?}", theirs.value)],
+                poisoned: 0,
+            });
+        }
+    }
+    comparison
+}
+
+impl Comparison {
+    fn note(&mut self, observable: Observable, figure: Figure) {
+        let worst = self.worst.entry(observable).or_insert(figure);
+        if figure.share() > worst.share() {
+            *worst = figure;
+        }
+    }
+}
+
+/// The difference of an observable at impact `n`, and the two values.
+fn figure(
+    observable: Observable,
+    n: usize,
+    first: &Observed,
+    second: &Observed,
+    gap: Option<&ModelGap>,
+) -> Option<(Figure, [String; 2])> {
+    let (mine, theirs) = (first.at(observable, n)?, second.at(observable, n)?);
+    let their_value = match gap {
+        Some(gap) if observable == Observable::Velocity => theirs.value / gap.velocity_scale,
+        _ => theirs.value,
+    };
+    let scale = if observable == Observable::ImpactTime { 1.0 } else { mine.value.abs().max(their_value.abs()) };
+    let figure = Figure {
+        impact: n,
+        difference: (mine.value - their_value).abs() / scale,
+        allowed: mine.uncertainty + theirs.uncertainty + slack(observable, n, gap),
+    };
+    Some((figure, [format!("{:?}", mine.value), format!("{their_value:?}")]))
+}
+
+/// What the tolerance table allows on top of the claims.
+fn slack(observable: Observable, n: usize, gap: Option<&ModelGap>) -> f64 {
+    match gap {
+        None => tolerance::SAME_MODEL.value,
+        Some(gap) => tolerance::ACROSS_MODELS.value * gap.at(observable, n),
+    }
+}
+
+/// Whether two endings say the same, and the lists are of the length that they imply.
+fn endings(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelGap>, common: usize) -> Verdict {
+    let disagree = || {
+        let describe = |o: &Observed| format!("{} after {} impacts", o.history.ending, o.history.impacts.len());
+        Verdict::Disagree(Disagreement {
+            observable: Observable::Ending,
+            figure: Figure { impact: common + 1, difference: f64::INFINITY, allowed: 0.0 },
+            values: [describe(first), describe(second)],
+            poisoned: 0,
+        })
+    };
+    match (kind(first.history.ending), kind(second.history.ending)) {
+        (Kind::Complete, Kind::Rocking) if is_too_close(case, first, second, gap) => return Verdict::TooClose,
+        (Kind::Rocking, Kind::Complete) if is_too_close(case, second, first, gap) => return Verdict::TooClose,
+        (Kind::Unknown, _) | (_, Kind::Unknown) => {}
+        (one, two) if one == two => {}
+        _ => return disagree(),
+    }
+    let (shorter, longer) = if first.history.impacts.len() == common { (first, second) } else { (second, first) };
+    let Some(extra) = longer.history.impacts.get(common) else { return Verdict::Agree };
+    let claimed = common.checked_sub(1).and_then(|last| shorter.history.impacts.get(last));
+    let explained = match shorter.history.ending {
+        Ending::AtRest => claimed.is_some_and(|last| last.interval < tolerance::RESOLUTION.value),
+        // An impact so near to the end of the time that one list has it and the other has not.
+        Ending::Incomplete | Ending::LimitReached(Limit::Time) => {
+            let unsure = extra.uncertainty.time + claimed.map_or(0.0, |last| last.uncertainty.time);
+            horizon(case) - extra.time <= unsure + slack(Observable::ImpactTime, common + 1, gap)
+        }
+        // What is listed before a loss or an overturning was compared; the loss itself is judged by the laws.
+        Ending::Lost(_) => true,
+        Ending::NeverRocks | Ending::Overturned | Ending::LimitReached(Limit::Impacts) => false,
+    };
+    if explained { Verdict::Agree } else { disagree() }
+}
+
+/// Endings that can't both be true of one case are of different kinds.
+#[derive(PartialEq, Eq)]
+enum Kind {
+    Still,
+    Complete,
+    /// Still rocking at the end: whether it is seen to be overturning already depends on how early a method can prove it.
+    Rocking,
+    Unknown,
+}
+
+fn kind(ending: Ending) -> Kind {
+    match ending {
+        Ending::NeverRocks => Kind::Still,
+        Ending::AtRest => Kind::Complete,
+        Ending::Incomplete | Ending::Overturned | Ending::LimitReached(Limit::Time) => Kind::Rocking,
+        Ending::LimitReached(Limit::Impacts) => Kind::Unknown,
+        Ending::Lost(Loss::FellThrough | Loss::Stalled | Loss::NotFinite | Loss::SolverFailed) => Kind::Unknown,
+    }
+}
+
+/// Whether one history may be complete and the other incomplete because the chattering time is nearer to the end of the half period than
+/// the claims can tell.
+fn is_too_close(case: &Case, complete: &Observed, rocking: &Observed, gap: Option<&ModelGap>) -> bool {
+    let Some(time) = complete.chattering_time else { return false };
+    let theirs = rocking.history.impacts.last().map_or(0.0, |last| last.uncertainty.time);
+    let left = horizon(case) - time.value;
+    left <= time.uncertainty + theirs + slack(Observable::ChatteringTime, 0, gap)
+}
+
+/// The end of the time that a case is followed.
+fn horizon(case: &Case) -> f64 {
+    match case.horizon() {
+        Horizon::HalfPeriod => std::f64::consts::PI / case.omega(),
+        Horizon::Until(time) => time,
+    }
+}

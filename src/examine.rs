@@ -1,0 +1,166 @@
+//! One case through the whole panel: every oracle's answer, every law, every pair.
+
+use contract::{Case, Decline, Model, Normalisation, Oracle};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    answer::{Answer, Outcome, ask},
+    compare::{Comparison, Disagreement, Verdict, compare},
+    laws::{self, Breach, Findings, Law},
+    model_gap::ModelGap,
+};
+
+/// Everything that came out of one case.
+pub struct Examination {
+    /// The answers, in the order of the panel.
+    pub answers: Vec<Answer>,
+    /// What the laws say of each answer.
+    pub findings: Vec<Findings>,
+    /// Every pair of answers, by their places in the panel.
+    pub pairs: Vec<(usize, usize, PairOutcome)>,
+}
+
+/// What came out of a pair.
+pub enum PairOutcome {
+    /// The two histories were compared.
+    Compared(Comparison),
+    /// One of them, at this place in the panel, gave no history to compare.
+    Absent(usize),
+    /// The histories are of different problems.
+    Incomparable(&'static str),
+}
+
+/// One thing that is wrong with a case: what a red gate has to show.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Fault {
+    /// Two oracles disagree.
+    Pair {
+        /// Their names.
+        oracles: [String; 2],
+        /// On what.
+        disagreement: Disagreement,
+    },
+    /// An oracle breaks a law.
+    Law {
+        /// Its name.
+        oracle: String,
+        /// Which, and where.
+        breach: Breach,
+    },
+}
+
+/// Asks every oracle of the panel, and compares.
+pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
+    let answers: Vec<Answer> = panel.iter().map(|oracle| ask(*oracle, case)).collect();
+    let findings = answers
+        .iter()
+        .map(|answer| match &answer.outcome {
+            Outcome::Observed(observed) => laws::check(case, answer.model, observed),
+            Outcome::Declined(_) => Findings::default(),
+            Outcome::Panicked(message) => {
+                let how = format!("panicked: {message}");
+                Findings { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ratio: None }
+            }
+        })
+        .collect();
+    let gap = model_gap(panel, &answers, case);
+    let mut pairs = Vec::new();
+    for (i, first) in answers.iter().enumerate() {
+        for (j, second) in answers.iter().enumerate().skip(i + 1) {
+            pairs.push((i, j, pair(case, (i, first), (j, second), gap.as_ref())));
+        }
+    }
+    Examination { answers, findings, pairs }
+}
+
+/// The gap between the models on this case, by the first linear oracle that has a history. `None` if no pair needs it, or there is none.
+fn model_gap(panel: &[&dyn Oracle], answers: &[Answer], case: &Case) -> Option<ModelGap> {
+    let has = |model| answers.iter().any(|answer| answer.model == model && answer.observed().is_some());
+    if !(has(Model::Linear) && has(Model::Nonlinear)) {
+        return None;
+    }
+    let (oracle, answer) =
+        panel.iter().zip(answers).find(|(_, a)| a.model == Model::Linear && a.observed().is_some())?;
+    ModelGap::new(*oracle, case, answer.observed()?).ok().flatten()
+}
+
+fn pair(case: &Case, first: (usize, &Answer), second: (usize, &Answer), gap: Option<&ModelGap>) -> PairOutcome {
+    let (Some(mine), Some(theirs)) = (first.1.observed(), second.1.observed()) else {
+        let absent = if first.1.observed().is_none() { first.0 } else { second.0 };
+        return PairOutcome::Absent(absent);
+    };
+    match (first.1.model, second.1.model) {
+        (Model::Linear, Model::Nonlinear) => match gap {
+            Some(gap) => PairOutcome::Compared(compare(case, mine, theirs, Some(gap))),
+            None => PairOutcome::Incomparable(why_incomparable(case)),
+        },
+        (Model::Nonlinear, Model::Linear) => match gap {
+            Some(gap) => PairOutcome::Compared(compare(case, theirs, mine, Some(gap))),
+            None => PairOutcome::Incomparable(why_incomparable(case)),
+        },
+        _ => PairOutcome::Compared(compare(case, mine, theirs, None)),
+    }
+}
+
+fn why_incomparable(case: &Case) -> &'static str {
+    match case.slenderness().map(|slenderness| slenderness.normalisation()) {
+        Some(Normalisation::Slender) => "slender normalisation: the models differ in their threshold",
+        _ => "no bound on the difference between the models",
+    }
+}
+
+impl Examination {
+    /// Everything that is wrong, laws first: a disagreement is often explained by them.
+    pub fn faults(&self) -> Vec<Fault> {
+        let name = |place: usize| self.answers.get(place).map_or_else(String::new, |answer| answer.oracle.clone());
+        let laws =
+            self.findings.iter().enumerate().filter_map(|(place, finding)| {
+                Some(Fault::Law { oracle: name(place), breach: finding.breach.clone()? })
+            });
+        let pairs = self.pairs.iter().filter_map(|(i, j, outcome)| match outcome {
+            PairOutcome::Compared(Comparison { verdict: Verdict::Disagree(disagreement), .. }) => {
+                Some(Fault::Pair { oracles: [name(*i), name(*j)], disagreement: disagreement.clone() })
+            }
+            _ => None,
+        });
+        laws.chain(pairs).collect()
+    }
+
+    /// The answers that are declines.
+    pub fn declines(&self) -> impl Iterator<Item = (&str, &Decline)> {
+        self.answers.iter().filter_map(|answer| match &answer.outcome {
+            Outcome::Declined(decline) => Some((answer.oracle.as_str(), decline)),
+            _ => None,
+        })
+    }
+}
+
+impl Fault {
+    /// The names of the oracles that it is about.
+    pub fn oracles(&self) -> Vec<&str> {
+        match self {
+            Self::Pair { oracles, .. } => oracles.iter().map(String::as_str).collect(),
+            Self::Law { oracle, .. } => vec![oracle],
+        }
+    }
+
+    /// The first impact that it shows at.
+    pub fn impact(&self) -> usize {
+        match self {
+            Self::Pair { disagreement, .. } => disagreement.figure.impact,
+            Self::Law { breach, .. } => breach.impact,
+        }
+    }
+
+    /// Whether another fault is of the same oracles and kind, so that a smaller case with it shows the same problem.
+    pub fn resembles(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Pair { oracles: mine, .. }, Self::Pair { oracles: theirs, .. }) => mine == theirs,
+            (Self::Law { oracle: mine, breach: one }, Self::Law { oracle: theirs, breach: two }) => {
+                mine == theirs && one.law == two.law
+            }
+            _ => false,
+        }
+    }
+}

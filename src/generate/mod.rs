@@ -1,0 +1,86 @@
+//! Where cases come from. Every generator is a function of the seed alone, so the same seed gives the same cases on any machine and any
+//! number of threads.
+
+mod edge;
+mod list;
+mod random;
+mod spaced;
+
+use std::fmt;
+
+use contract::{Case, Oracle};
+use serde::{Deserialize, Serialize};
+
+pub use list::{Listed, LoadError, read as read_list, shipped};
+
+/// The generators, in the order in which their cases run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Generator {
+    /// The curated list in `data/cases`: those of the paper, and every bug that was found.
+    List,
+    /// Towards `a = 1` and `a = a_cr` by ever smaller steps, and the corners of the parameters.
+    Edge,
+    /// A grid.
+    Spaced,
+    /// At random, seeded.
+    Random,
+}
+
+/// A case with its origin, as in `random/17`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named {
+    /// Which generator made it.
+    pub generator: Generator,
+    /// What distinguishes it among the cases of its generator.
+    pub name: String,
+    /// The case itself.
+    pub case: Case,
+}
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.generator.name(), self.name)
+    }
+}
+
+impl Generator {
+    /// Every generator.
+    pub const ALL: [Self; 4] = [Self::List, Self::Edge, Self::Spaced, Self::Random];
+
+    /// The name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::List => "list",
+            Self::Edge => "edge",
+            Self::Spaced => "spaced",
+            Self::Random => "random",
+        }
+    }
+
+    /// The cases of this generator. `random` is how many the random one makes, `seed` what from; `stepper` finds the critical
+    /// amplitudes that the edge generator walks towards.
+    pub fn cases(self, seed: u64, random: usize, stepper: &dyn Oracle) -> Vec<Named> {
+        let cases: Vec<(String, Case)> = match self {
+            Self::List => shipped().into_iter().map(|listed| (listed.name, listed.case)).collect(),
+            Self::Edge => edge::cases(stepper),
+            Self::Spaced => spaced::cases(),
+            Self::Random => random::cases(seed, random),
+        };
+        cases.into_iter().map(|(name, case)| Named { generator: self, name, case }).collect()
+    }
+}
+
+/// As many impacts as it takes for the sequence to become geometric and the closure of its sum to lose nothing: until the velocity has
+/// fallen by some two hundred times, and 40 at least.
+fn impacts_for(eta: f64) -> usize {
+    ((-5.3 / eta.ln()).ceil() as usize).clamp(40, 600)
+}
+
+/// A case that the generators put together themselves, so it can only be wrong if they are.
+fn case(epsilon: f64, omega: f64, eta: f64, alpha: f64) -> Option<Case> {
+    use contract::{Normalisation, Slenderness};
+    let slenderness = Slenderness::new(alpha, Normalisation::Threshold).ok()?;
+    let case = Case::from_epsilon(epsilon, omega, eta).ok()?.with_slenderness(slenderness);
+    case.with_max_impacts(impacts_for(eta)).ok()
+}

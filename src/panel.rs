@@ -1,0 +1,118 @@
+//! The panel of oracles: the only file that names them all. To add a method, add its crate and a line here.
+
+use asymptotic::Asymptotic;
+use closed_form::ClosedForm;
+use contract::{Invalid, Oracle};
+use ode::{Equation, Flights, Method, Ode};
+use printed::Printed;
+
+/// Oracles that are asked the same cases.
+pub type Panel = Vec<Box<dyn Oracle>>;
+
+/// Every oracle that `verify` asks by default.
+pub fn default() -> Panel {
+    vec![
+        Box::new(ClosedForm),
+        Box::new(Ode::new(Equation::Linear, Method::Tsit45)),
+        Box::new(Ode::new(Equation::Linear, Method::Bdf)),
+        Box::new(Ode::new(Equation::Linear, Method::TrBdf2)),
+        Box::new(Ode::new(Equation::Linear, Method::Esdirk34)),
+        Box::new(Ode::new(Equation::Nonlinear, Method::Tsit45)),
+        Box::new(Asymptotic),
+    ]
+}
+
+/// Every oracle there is: the default panel, and those that are asked only by name because they are slow or known to fail.
+pub fn all() -> Panel {
+    let mut panel = default();
+    panel.push(Box::new(Printed::default()));
+    for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
+        panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
+    }
+    for equation in [Equation::Linear, Equation::Nonlinear] {
+        panel.push(Box::new(Ode::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
+    }
+    panel
+}
+
+/// The oracles whose names are in `list`, separated by commas. A name stands for every oracle of the default panel that it begins
+/// (`ode` for all of them), or else for the one that it is.
+///
+/// # Errors
+/// When a name stands for none.
+pub fn select(list: &str) -> Result<Panel, Invalid> {
+    let mut names: Vec<String> = Vec::new();
+    for wanted in list.split(',').map(str::trim) {
+        let family = |name: &str| name == wanted || name.starts_with(&format!("{wanted}/"));
+        let mut found: Vec<_> = default().iter().map(|o| o.name().to_owned()).filter(|n| family(n)).collect();
+        if found.is_empty() {
+            found = all().iter().map(|o| o.name().to_owned()).filter(|n| n == wanted).collect();
+        }
+        if found.is_empty() {
+            return Err(Invalid::new("oracles", wanted, "names from `chattercheck oracles`, separated by commas"));
+        }
+        names.extend(found);
+    }
+    Ok(all().into_iter().filter(|oracle| names.iter().any(|name| name == oracle.name())).collect())
+}
+
+/// Settings of the ODE oracle in the words of the command line; `None` means its default.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct OdeSettings<'a> {
+    /// `linear` or `nonlinear`.
+    pub equation: Option<&'a str>,
+    /// `tsit45`, `bdf`, `tr-bdf2` or `esdirk34`.
+    pub method: Option<&'a str>,
+    /// `rescaled` or `naive`.
+    pub flights: Option<&'a str>,
+    /// The relative tolerance.
+    pub rtol: Option<f64>,
+}
+
+/// One oracle by its name: `closed-form`, `ode`, `asymptotic` or `printed`. `equation` is the one that an ODE oracle solves if the settings
+/// don't say.
+///
+/// # Errors
+/// When a name or a setting is not known, or settings are given to an oracle that has none.
+pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn Oracle>, Invalid> {
+    let simple: Box<dyn Oracle> = match name {
+        "ode" => return Ok(Box::new(ode(settings, equation)?)),
+        "closed-form" => Box::new(ClosedForm),
+        "asymptotic" => Box::new(Asymptotic),
+        "printed" => Box::new(Printed::default()),
+        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, asymptotic or printed")),
+    };
+    let OdeSettings { equation, method, flights, rtol } = *settings;
+    let given = [
+        ("model", equation.map(str::to_owned)),
+        ("method", method.map(str::to_owned)),
+        ("flights", flights.map(str::to_owned)),
+        ("rtol", rtol.map(|rtol| rtol.to_string())),
+    ];
+    match given.into_iter().find_map(|(field, value)| Some((field, value?))) {
+        Some((field, value)) => Err(Invalid::new(field, value, "only with --oracle ode")),
+        None => Ok(simple),
+    }
+}
+
+fn ode(settings: &OdeSettings, equation: &str) -> Result<Ode, Invalid> {
+    let equation = match settings.equation.unwrap_or(equation) {
+        "linear" => Equation::Linear,
+        "nonlinear" => Equation::Nonlinear,
+        other => return Err(Invalid::new("model", other, "linear or nonlinear")),
+    };
+    let method = match settings.method.unwrap_or("tsit45") {
+        "tsit45" => Method::Tsit45,
+        "bdf" => Method::Bdf,
+        "tr-bdf2" => Method::TrBdf2,
+        "esdirk34" => Method::Esdirk34,
+        other => return Err(Invalid::new("method", other, "tsit45, bdf, tr-bdf2 or esdirk34")),
+    };
+    let flights = match settings.flights.unwrap_or("rescaled") {
+        "rescaled" => Flights::Rescaled,
+        "naive" => Flights::Naive,
+        other => return Err(Invalid::new("flights", other, "rescaled or naive")),
+    };
+    let ode = Ode::new(equation, method).with_flights(flights);
+    settings.rtol.map_or(Ok(ode.clone()), |rtol| ode.with_rtol(rtol))
+}

@@ -1,0 +1,338 @@
+//! What a verification run found, as data; and as text and JUnit.
+
+mod junit;
+mod text;
+
+use std::collections::BTreeMap;
+
+use contract::Ending;
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    case_file::CaseFields,
+    compare::{Comparison, Figure, Verdict},
+    examine::{Examination, Fault, PairOutcome},
+    generate::{Generator, Named},
+    ladder::Descent,
+    observables::Observable,
+    verify::Failure,
+};
+
+pub use junit::junit;
+pub use text::{failure_text, fault_text, text};
+
+/// The whole report. It holds no times and no names of machines: the same seed gives the same report, on any number of threads.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// The version of this program.
+    pub version: String,
+    /// The seed of the random cases.
+    pub seed: u64,
+    /// The names of the oracles.
+    pub oracles: Vec<String>,
+    /// What was exercised.
+    pub reach: Reach,
+    /// How often each oracle declined, by reason.
+    pub declines: BTreeMap<String, BTreeMap<String, usize>>,
+    /// Every pair of oracles.
+    pub pairs: Vec<Pair>,
+    /// The interval ratio of each oracle against its law.
+    pub ratio_law: BTreeMap<String, WorstFigure>,
+    /// The ladders.
+    pub ladders: Vec<Descent>,
+    /// Cases in which something was wrong.
+    pub failures: Vec<FailedCase>,
+    /// What is wrong with the run as a whole: an oracle that never answered, a pair that was never compared, a ladder that does not hold.
+    pub shortfalls: Vec<String>,
+    /// `pass` or `fail`.
+    pub verdict: String,
+}
+
+/// What a run exercised.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Reach {
+    /// How many cases.
+    pub cases: usize,
+    /// Of them, from each generator.
+    pub by_generator: BTreeMap<Generator, usize>,
+    /// Histories of all oracles, by how they ended.
+    pub endings: BTreeMap<String, usize>,
+    /// Impacts in the histories of all oracles.
+    pub impacts: usize,
+    /// The shortest interval that two oracles agreed on.
+    pub deepest_interval: Option<f64>,
+    /// The smallest and largest of each parameter.
+    pub epsilon: Option<(f64, f64)>,
+    /// See `epsilon`.
+    pub omega: Option<(f64, f64)>,
+    /// See `epsilon`.
+    pub eta: Option<(f64, f64)>,
+}
+
+/// What came out for a pair of oracles.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Pair {
+    /// Their names.
+    pub oracles: [String; 2],
+    /// How many cases were compared.
+    pub compared: usize,
+    /// How many impacts.
+    pub impacts: usize,
+    /// Of them, how many with claims so wide that any interval would have passed.
+    pub vacuous: usize,
+    /// Cases in which one of the two gave no history.
+    pub absent: usize,
+    /// Cases that are different problems to the two, by reason.
+    pub incomparable: BTreeMap<String, usize>,
+    /// Cases that are complete for one and incomplete for the other, within what they claim.
+    pub too_close: usize,
+    /// Cases in which they disagree.
+    pub disagreements: usize,
+    /// For each observable the figure that used most of its allowance, among those of cases in which they agree; those of the failures are
+    /// listed with them.
+    pub worst: BTreeMap<Observable, WorstFigure>,
+}
+
+/// A figure, its share of the allowance, and the case that gave it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WorstFigure {
+    /// The figure.
+    #[serde(flatten)]
+    pub figure: Figure,
+    /// The share of the allowance.
+    pub share: f64,
+    /// The case.
+    pub case: String,
+}
+
+/// A case in which something was wrong.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FailedCase {
+    /// Its name.
+    pub name: String,
+    /// Its parameters.
+    pub case: CaseFields,
+    /// What was wrong.
+    pub faults: Vec<Fault>,
+}
+
+/// The part of a report that is gathered case by case.
+#[derive(Debug, Default)]
+pub struct Tally {
+    reach: Reach,
+    declines: BTreeMap<String, BTreeMap<String, usize>>,
+    answered: BTreeMap<String, usize>,
+    pairs: BTreeMap<(usize, usize), Pair>,
+    ratio_law: BTreeMap<String, WorstFigure>,
+}
+
+impl WorstFigure {
+    fn new(named: &Named, figure: Figure) -> Self {
+        Self { figure, share: figure.share(), case: named.to_string() }
+    }
+}
+
+impl Tally {
+    /// The tally of one case.
+    pub fn of(named: &Named, examination: &Examination) -> Self {
+        let mut tally = Self::default();
+        let case = &named.case;
+        let reach = &mut tally.reach;
+        reach.cases = 1;
+        reach.by_generator.insert(named.generator, 1);
+        reach.epsilon = Some((case.epsilon(), case.epsilon()));
+        reach.omega = Some((case.omega(), case.omega()));
+        reach.eta = Some((case.eta(), case.eta()));
+        for answer in &examination.answers {
+            let Some(observed) = answer.observed() else { continue };
+            *tally.answered.entry(answer.oracle.clone()).or_default() += 1;
+            *reach.endings.entry(ending_name(observed.history.ending)).or_default() += 1;
+            reach.impacts += observed.history.impacts.len();
+        }
+        for (oracle, decline) in examination.declines() {
+            *tally.declines.entry(oracle.to_owned()).or_default().entry(decline.reason().to_owned()).or_default() += 1;
+        }
+        for (answer, finding) in examination.answers.iter().zip(&examination.findings) {
+            if let Some(figure) = finding.ratio {
+                tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
+            }
+        }
+        for (i, j, outcome) in &examination.pairs {
+            let interval = |place: usize, n: usize| {
+                let impacts = &examination.answers.get(place)?.observed()?.history.impacts;
+                Some(impacts.get(n.checked_sub(1)?)?.interval)
+            };
+            let pair = tally.pairs.entry((*i, *j)).or_default();
+            match outcome {
+                PairOutcome::Absent(_) => pair.absent = 1,
+                PairOutcome::Incomparable(why) => {
+                    pair.incomparable.insert((*why).to_owned(), 1);
+                }
+                PairOutcome::Compared(comparison) => {
+                    pair.add_comparison(named, comparison);
+                    let deepest = interval(*i, comparison.impacts);
+                    if comparison.verdict == Verdict::Agree && comparison.vacuous == 0 {
+                        tally.reach.deepest_interval = smaller(tally.reach.deepest_interval, deepest);
+                    }
+                }
+            }
+        }
+        tally
+    }
+
+    /// Adds the tally of a later case.
+    pub fn add(&mut self, other: Self) {
+        let (mine, theirs) = (&mut self.reach, other.reach);
+        mine.cases += theirs.cases;
+        mine.impacts += theirs.impacts;
+        add_counts(&mut mine.by_generator, theirs.by_generator);
+        add_counts(&mut mine.endings, theirs.endings);
+        mine.deepest_interval = smaller(mine.deepest_interval, theirs.deepest_interval);
+        mine.epsilon = wider(mine.epsilon, theirs.epsilon);
+        mine.omega = wider(mine.omega, theirs.omega);
+        mine.eta = wider(mine.eta, theirs.eta);
+        add_counts(&mut self.answered, other.answered);
+        for (oracle, reasons) in other.declines {
+            add_counts(self.declines.entry(oracle).or_default(), reasons);
+        }
+        for (oracle, worst) in other.ratio_law {
+            keep_worst(&mut self.ratio_law, oracle, worst);
+        }
+        for (places, pair) in other.pairs {
+            self.pairs.entry(places).or_default().add(pair);
+        }
+    }
+}
+
+impl Pair {
+    fn add_comparison(&mut self, named: &Named, comparison: &Comparison) {
+        self.compared = 1;
+        self.impacts = comparison.impacts;
+        self.vacuous = comparison.vacuous;
+        match comparison.verdict {
+            Verdict::Agree => {
+                for (&observable, &figure) in &comparison.worst {
+                    self.worst.insert(observable, WorstFigure::new(named, figure));
+                }
+            }
+            Verdict::TooClose => self.too_close = 1,
+            Verdict::Disagree(_) => self.disagreements = 1,
+        }
+    }
+
+    fn add(&mut self, other: Self) {
+        self.compared += other.compared;
+        self.impacts += other.impacts;
+        self.vacuous += other.vacuous;
+        self.absent += other.absent;
+        self.too_close += other.too_close;
+        self.disagreements += other.disagreements;
+        add_counts(&mut self.incomparable, other.incomparable);
+        for (observable, worst) in other.worst {
+            keep_worst(&mut self.worst, observable, worst);
+        }
+    }
+}
+
+impl Report {
+    /// The report of a run.
+    pub fn new(oracles: &[&str], seed: u64, tally: Tally, ladders: Vec<Descent>, failures: &[Failure]) -> Self {
+        let name = |place: usize| oracles.get(place).copied().unwrap_or_default().to_owned();
+        let pairs: Vec<Pair> =
+            tally.pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
+        let silent = oracles
+            .iter()
+            .filter(|oracle| !tally.answered.contains_key(**oracle))
+            .map(|oracle| format!("{oracle} answered no case: a gate where everything is declined proves nothing"));
+        let alone = (pairs.is_empty()).then(|| "fewer than two oracles: nothing was compared".to_owned());
+        let apart = pairs
+            .iter()
+            .filter(|pair| pair.compared == 0)
+            .map(|pair| format!("{} and {} were never compared", pair.oracles[0], pair.oracles[1]));
+        let crooked = ladders.iter().filter(|descent| !descent.holds()).map(|descent| {
+            let order =
+                descent.order.map_or("none that the claims can resolve".to_owned(), |order| format!("{order:.3}"));
+            format!(
+                "{} ({} against {}, omega = {}, eta = {}): observed order {order}, expected {} ± {}",
+                descent.ladder.says(),
+                descent.oracles[0],
+                descent.oracles[1],
+                descent.omega,
+                descent.eta,
+                descent.expected.0,
+                descent.expected.1
+            )
+        });
+        let shortfalls: Vec<String> = silent.chain(alone).chain(apart).chain(crooked).collect();
+        let failures: Vec<FailedCase> = failures
+            .iter()
+            .map(|failure| FailedCase {
+                name: failure.named.to_string(),
+                case: CaseFields::from(&failure.named.case),
+                faults: failure.faults.clone(),
+            })
+            .collect();
+        let verdict = if failures.is_empty() && shortfalls.is_empty() { "pass" } else { "fail" };
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            seed,
+            oracles: oracles.iter().map(|&oracle| oracle.to_owned()).collect(),
+            reach: tally.reach,
+            declines: tally.declines,
+            pairs,
+            ratio_law: tally.ratio_law,
+            ladders,
+            failures,
+            shortfalls,
+            verdict: verdict.to_owned(),
+        }
+    }
+
+    /// Whether nothing was wrong.
+    pub fn passes(&self) -> bool {
+        self.failures.is_empty() && self.shortfalls.is_empty()
+    }
+}
+
+/// A short name for an ending, for counting.
+fn ending_name(ending: Ending) -> String {
+    match ending {
+        Ending::NeverRocks => "never-rocks",
+        Ending::AtRest => "at-rest",
+        Ending::Incomplete => "incomplete",
+        Ending::Overturned => "overturned",
+        Ending::LimitReached(_) => "limit-reached",
+        Ending::Lost(_) => "lost",
+    }
+    .to_owned()
+}
+
+fn add_counts<K: Ord>(mine: &mut BTreeMap<K, usize>, theirs: BTreeMap<K, usize>) {
+    for (key, count) in theirs {
+        *mine.entry(key).or_default() += count;
+    }
+}
+
+/// Keeps the figure with the larger share; the earlier case where they are equal.
+fn keep_worst<K: Ord>(mine: &mut BTreeMap<K, WorstFigure>, key: K, theirs: WorstFigure) {
+    match mine.get(&key) {
+        Some(worst) if worst.share >= theirs.share => {}
+        _ => {
+            mine.insert(key, theirs);
+        }
+    }
+}
+
+fn smaller(one: Option<f64>, two: Option<f64>) -> Option<f64> {
+    match (one, two) {
+        (Some(one), Some(two)) => Some(one.min(two)),
+        _ => one.or(two),
+    }
+}
+
+fn wider(one: Option<(f64, f64)>, two: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    match (one, two) {
+        (Some((low, high)), Some((lower, higher))) => Some((low.min(lower), high.max(higher))),
+        _ => one.or(two),
+    }
+}

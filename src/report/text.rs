@@ -1,0 +1,176 @@
+//! The report for people.
+
+use std::fmt::Write;
+
+use comfy_table::{CellAlignment, Table, presets};
+
+use super::{FailedCase, Report, WorstFigure};
+use crate::{case_file, examine::Fault, laws::Law, observables::Observable};
+
+/// The whole report.
+pub fn text(report: &Report) -> String {
+    let mut out = String::new();
+    let line = |out: &mut String, text: &str| {
+        out.push_str(text);
+        out.push('\n');
+    };
+    let reach = &report.reach;
+    let generators: Vec<String> =
+        reach.by_generator.iter().map(|(generator, count)| format!("{count} {}", generator.name())).collect();
+    line(&mut out, &format!("chattercheck {}, seed {}", report.version, report.seed));
+    line(
+        &mut out,
+        &format!(
+            "{} cases ({}), {} oracles, {} impacts",
+            reach.cases,
+            generators.join(", "),
+            report.oracles.len(),
+            reach.impacts
+        ),
+    );
+    let endings: Vec<String> = reach.endings.iter().map(|(ending, count)| format!("{count} {ending}")).collect();
+    line(&mut out, &format!("histories: {}", endings.join(", ")));
+    if let Some(deepest) = reach.deepest_interval {
+        line(&mut out, &format!("shortest interval agreed on: {deepest:.1e}"));
+    }
+    for (name, range) in [("epsilon = a - 1", reach.epsilon), ("omega", reach.omega), ("eta", reach.eta)] {
+        if let Some((low, high)) = range {
+            line(&mut out, &format!("{name} from {low:.6} to {high:.6}"));
+        }
+    }
+    for (oracle, reasons) in &report.declines {
+        let reasons: Vec<String> = reasons.iter().map(|(reason, count)| format!("{count} {reason}")).collect();
+        line(&mut out, &format!("declined by {oracle}: {}", reasons.join(", ")));
+    }
+    line(&mut out, "");
+    line(
+        &mut out,
+        "Worst figures of the pairs, as difference/allowed; allowed is the sum of the two claims, and across models the model gap.",
+    );
+    line(&mut out, &pairs(report));
+    line(&mut out, "");
+    line(&mut out, &cases_of_worst(report));
+    for (ladder, held) in ladders(report) {
+        line(&mut out, &format!("{ladder}: {held}"));
+    }
+    let laws = Law::ALL.map(Law::says).join("; ");
+    line(&mut out, &format!("laws of each history: {laws}"));
+    line(&mut out, "");
+    for shortfall in &report.shortfalls {
+        line(&mut out, &format!("SHORTFALL: {shortfall}"));
+    }
+    for failure in report.failures.iter().take(SHOWN) {
+        line(&mut out, &failure_text(failure));
+    }
+    if report.failures.len() > SHOWN {
+        line(&mut out, &format!("and {} more failed cases, all in the JSON report", report.failures.len() - SHOWN));
+    }
+    let verdict = if report.passes() { "PASS: every oracle agrees with every other" } else { "FAIL" };
+    let count =
+        if report.passes() { String::new() } else { format!(": {} of {} cases", report.failures.len(), reach.cases) };
+    line(&mut out, &format!("{verdict}{count}"));
+    out
+}
+
+/// How many failed cases the text shows.
+const SHOWN: usize = 10;
+
+fn pairs(report: &Report) -> String {
+    let columns = [
+        Observable::Interval,
+        Observable::Velocity,
+        Observable::ImpactTime,
+        Observable::IntervalRatio,
+        Observable::ChatteringTime,
+    ];
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    let heads = ["pair", "cases", "impacts", "too wide", "disagree"].into_iter().chain(columns.map(Observable::name));
+    table.set_header(heads);
+    for pair in &report.pairs {
+        let counts = [pair.compared, pair.impacts, pair.vacuous, pair.disagreements].map(|count| count.to_string());
+        let figures = columns.map(|observable| pair.worst.get(&observable).map_or("-".to_owned(), figure));
+        let name = format!("{} : {}", pair.oracles[0], pair.oracles[1]);
+        table.add_row(std::iter::once(name).chain(counts).chain(figures));
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table.to_string()
+}
+
+fn figure(worst: &WorstFigure) -> String {
+    format!("{:.0e}/{:.0e}", worst.figure.difference, worst.figure.allowed)
+}
+
+/// The cases that came nearest to failing, one for each observable.
+fn cases_of_worst(report: &Report) -> String {
+    let mut out = String::from("Nearest to its allowance:");
+    for observable in Observable::OF_AN_IMPACT.into_iter().chain([Observable::ChatteringTime]) {
+        let worst = report
+            .pairs
+            .iter()
+            .filter_map(|pair| Some((pair, pair.worst.get(&observable)?)))
+            .max_by(|(_, one), (_, two)| one.share.total_cmp(&two.share));
+        if let Some((pair, WorstFigure { figure, share, case })) = worst {
+            let [one, two] = &pair.oracles;
+            let at = if figure.impact > 0 { format!(", impact {}", figure.impact) } else { String::new() };
+            let _ = write!(out, "\n  {observable:15} {:3.0} % in {case}{at} ({one} : {two})", 100.0 * share);
+        }
+    }
+    out
+}
+
+fn ladders(report: &Report) -> Vec<(&'static str, String)> {
+    crate::ladder::Ladder::ALL
+        .into_iter()
+        .filter_map(|ladder| {
+            let mine: Vec<_> = report.ladders.iter().filter(|descent| descent.ladder == ladder).collect();
+            let orders = mine.iter().filter_map(|descent| descent.order);
+            let (low, high) = orders.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
+            let held = mine.iter().filter(|descent| descent.holds()).count();
+            (!mine.is_empty())
+                .then(|| (ladder.says(), format!("{held} of {} ladders, order {low:.3} to {high:.3}", mine.len())))
+        })
+        .collect()
+}
+
+/// One failed case, as someone has to read it whose run just went red.
+pub fn failure_text(failure: &FailedCase) -> String {
+    let mut out = format!("FAILED {}", failure.name);
+    if let Ok(case) = failure.case.case() {
+        let _ = write!(out, "\n  {}", case_file::flags(&case));
+    }
+    for fault in &failure.faults {
+        let _ = write!(out, "\n  {}", fault_text(fault));
+    }
+    out
+}
+
+/// One fault in one line: who, what, where first, and by how much.
+pub fn fault_text(fault: &Fault) -> String {
+    match fault {
+        Fault::Pair { oracles: [one, two], disagreement } => {
+            let figure = disagreement.figure;
+            let place = if figure.impact > 0 { format!(", first at impact {}", figure.impact) } else { String::new() };
+            let [mine, theirs] = &disagreement.values;
+            let poisoned = match disagreement.poisoned {
+                0 => String::new(),
+                count => format!("; {count} later impacts not judged"),
+            };
+            let size = if figure.difference.is_finite() {
+                format!(" (difference {:.2e}, allowed {:.2e})", figure.difference, figure.allowed)
+            } else {
+                String::new()
+            };
+            format!(
+                "{one} : {two} disagree on {}{place}: {mine} against {theirs}{size}{poisoned}",
+                disagreement.observable
+            )
+        }
+        Fault::Law { oracle, breach } => {
+            let place = if breach.impact > 0 { format!(" at impact {}", breach.impact) } else { String::new() };
+            format!("{oracle} breaks \"{}\"{place}: {}", breach.law.says(), breach.how)
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! A verification run: every case through the panel, on all threads, and one report that does not depend on how many there were.
+
+use contract::Oracle;
+use rayon::prelude::*;
+
+use crate::{
+    examine::{Fault, examine},
+    generate::{Generator, Named},
+    ladder::Descent,
+    panel,
+    report::{Report, Tally},
+};
+
+/// What a run is made from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// How many random cases.
+    pub cases: usize,
+    /// What they are made from.
+    pub seed: u64,
+    /// Which share of all cases to run: the `K`-th of `N`.
+    pub partition: (usize, usize),
+}
+
+impl Request {
+    /// How many random cases a run has unless told otherwise.
+    pub const DEFAULT_CASES: usize = 2000;
+}
+
+/// A case in which something was wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure {
+    /// The case.
+    pub named: Named,
+    /// What was wrong.
+    pub faults: Vec<Fault>,
+}
+
+/// The cases of a run, in order. The edge generator finds the critical amplitudes with the first oracle of the default panel, whichever
+/// panel is being verified, so that the cases do not depend on it.
+pub fn cases(request: &Request) -> Vec<Named> {
+    let stepper = panel::default().into_iter().next();
+    let all = Generator::ALL.into_iter().flat_map(|generator| match &stepper {
+        Some(stepper) => generator.cases(request.seed, request.cases, stepper.as_ref()),
+        None => Vec::new(),
+    });
+    let (part, parts) = request.partition;
+    all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
+}
+
+/// Runs the cases through the panel, and reports on them and on the ladders. `done` is called after each case, from any thread.
+pub fn run(
+    panel: &[&dyn Oracle],
+    cases: &[Named],
+    seed: u64,
+    ladders: Vec<Descent>,
+    done: impl Fn() + Sync,
+) -> (Report, Vec<Failure>) {
+    let names: Vec<&str> = panel.iter().map(|oracle| oracle.name()).collect();
+    let results: Vec<(Tally, Vec<Fault>)> = cases
+        .par_iter()
+        .map(|named| {
+            let examination = examine(panel, &named.case);
+            done();
+            (Tally::of(named, &examination), examination.faults())
+        })
+        .collect();
+    let mut tally = Tally::default();
+    let mut failures = Vec::new();
+    for (named, (of_case, faults)) in cases.iter().zip(results) {
+        tally.add(of_case);
+        if !faults.is_empty() {
+            failures.push(Failure { named: named.clone(), faults });
+        }
+    }
+    (Report::new(&names, seed, tally, ladders, &failures), failures)
+}
