@@ -15,6 +15,7 @@ use crate::{
     generate::{Generator, Named},
     ladder::Descent,
     observables::Observable,
+    tolerance,
     verify::Failure,
 };
 
@@ -249,6 +250,16 @@ impl Report {
             .iter()
             .filter(|pair| pair.compared == 0)
             .map(|pair| format!("{} and {} were never compared", pair.oracles[0], pair.oracles[1]));
+        let wide = pairs
+            .iter()
+            .filter(|pair| pair.vacuous as f64 > tolerance::VACUOUS.value * pair.impacts as f64)
+            .map(|pair| {
+                let [one, two] = &pair.oracles;
+                format!(
+                    "{one} and {two} claim so little that {} of {} impacts were compared in name only",
+                    pair.vacuous, pair.impacts
+                )
+            });
         let crooked = ladders.iter().filter(|descent| !descent.holds()).map(|descent| {
             let order =
                 descent.order.map_or("none that the claims can resolve".to_owned(), |order| format!("{order:.3}"));
@@ -263,7 +274,7 @@ impl Report {
                 descent.expected.1
             )
         });
-        let shortfalls: Vec<String> = silent.chain(alone).chain(apart).chain(crooked).collect();
+        let shortfalls: Vec<String> = silent.chain(alone).chain(apart).chain(wide).chain(crooked).collect();
         let failures: Vec<FailedCase> = failures
             .iter()
             .map(|failure| FailedCase {

@@ -13,7 +13,7 @@ pub struct Coefficients {
 ///
 /// The durations of the flights fall by `η²` a pair in the end, so the rest of a sum is its last term times `η²/(1 - η²)`. The relative
 /// error of that rest is of the order of the rest itself, so that closing is exact in a double once the rest is below 1e-9 of the sum.
-/// `None` when that takes more than a million pairs of flights (`1 - η` below some 1e-5).
+/// `None` when that takes more than a million pairs of flights (`1 - η` below some 2e-5).
 pub fn coefficients(eta: f64) -> Option<Coefficients> {
     // 1 - η² without cancellation.
     let closing = eta * eta / ((1.0 - eta) * (1.0 + eta));
@@ -23,7 +23,7 @@ pub fn coefficients(eta: f64) -> Option<Coefficients> {
             Interval::Even(y) => rest_of_x = y * closing,
             Interval::Odd(duration) => {
                 let rest_of_u = duration * closing;
-                if rest_of_x < NEGLIGIBLE_SQUARED * flight.x && rest_of_u < NEGLIGIBLE_SQUARED * flight.u {
+                if rest_of_x < REST_TO_CLOSE * flight.x && rest_of_u < REST_TO_CLOSE * flight.u {
                     return Some(Coefficients { x: flight.x + rest_of_x, u: flight.u + rest_of_u });
                 }
             }
@@ -32,5 +32,5 @@ pub fn coefficients(eta: f64) -> Option<Coefficients> {
     None
 }
 
-const NEGLIGIBLE_SQUARED: f64 = 1e-9;
+const REST_TO_CLOSE: f64 = 1e-9;
 const MOST_FLIGHTS: usize = 2_000_000;

@@ -14,8 +14,8 @@
 //! - Powers of `ε` under Eqs 43, 52-57: the half-integer steps are `ε^(1/2), ε^(2/2), ε^(3/2), ...`.
 //! - `T_{0;3}` of Eqs 31 and 32: `32(ω²-1)/(5ω²)` has to be `32(ω²-1)/(15ω²)`. Eq. 30 stops at `m = 5` and lacks the term
 //!   `Φ_{0;0}^{(6)} (T_{0;1})³`, which is of the same order. (Eq. 34 has 15. The procedure does not use `T_{0;3}`.)
-//! - "Next steps": the cubic of Eq. 62 never returns a negative solution only; it has one positive root always, and chattering has no last
-//!   impact.
+//! - "Next steps" ends the procedure when the cubic of Eq. 62 returns a negative solution. It never does: it always has one positive root,
+//!   and the sequence is infinite.
 #![forbid(unsafe_code)]
 
 mod claim;

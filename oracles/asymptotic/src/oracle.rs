@@ -10,8 +10,10 @@ use crate::flights::{Flight, Flights, Interval};
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Asymptotic;
 
-/// Beyond this claimed relative error of the chattering time the next order is as large as the last one kept: no approximation is left.
+/// Beyond this claimed relative error of the chattering time the next order may be half of what was kept: no approximation is left.
 const MOST_CLAIMED: f64 = 0.5;
+/// The claims were calibrated up to here.
+const MOST_ETA: f64 = 0.995;
 
 impl Oracle for Asymptotic {
     fn name(&self) -> &str {
@@ -26,10 +28,10 @@ impl Oracle for Asymptotic {
         if case.epsilon() <= 0.0 {
             return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
         }
-        let sums = coefficients(case.eta()).ok_or(Decline::OutOfRange {
+        let sums = coefficients(case.eta()).filter(|_| case.eta() <= MOST_ETA).ok_or(Decline::OutOfRange {
             field: "eta",
             value: case.eta(),
-            allowed: "eta below 1 - 2e-5: the two sums of Eq. 65 take too many flights",
+            allowed: "eta <= 0.995, up to which the claims were calibrated",
         })?;
         let chattering_time = chattering_time(case, sums)?;
         let (impacts, ending) = impacts(case, chattering_time);

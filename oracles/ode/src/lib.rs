@@ -95,21 +95,10 @@ impl Method {
     /// The tolerance unless told otherwise: about where the method is still fast and a smaller one no longer pays.
     pub fn default_rtol(self) -> f64 {
         match self {
-            Self::Tsit45 => 1e-11,
+            Self::Tsit45 => 1e-12,
             Self::Bdf => 1e-9,
             Self::TrBdf2 => 1e-8,
-            Self::Esdirk34 => 1e-10,
-        }
-    }
-}
-
-impl Method {
-    /// The error of the first impacts in units of the tolerance, below which no claim goes (see `claim`).
-    fn claimed_floor(self) -> f64 {
-        match self {
-            Self::Tsit45 => 5.0,
-            Self::Bdf => 50.0,
-            Self::TrBdf2 | Self::Esdirk34 => 10.0,
+            Self::Esdirk34 => 1e-11,
         }
     }
 }
@@ -212,8 +201,8 @@ impl Oracle for Ode {
 
     fn history(&self, case: &Case) -> Result<History, Decline> {
         let mut history = self.run(case, self.rtol)?;
-        let coarse = self.run(case, self.rtol * claim::COARSER)?;
-        claim::claim(&mut history, &coarse, self.rtol, self.method.claimed_floor());
+        let coarse = self.run(case, claim::coarser(self.rtol))?;
+        claim::claim(self, &mut history, &coarse);
         Ok(history)
     }
 }

@@ -14,7 +14,8 @@ pub(crate) struct Arithmetic {
 
 impl Arithmetic {
     pub(crate) fn new(bits: usize) -> Result<Self, Decline> {
-        let constants = Consts::new().map_err(|_| Decline::Unsupported { what: "numbers of this many digits in this little memory" })?;
+        let constants = Consts::new()
+            .map_err(|_| Decline::Unsupported { what: "numbers of this many digits in this little memory" })?;
         Ok(Self { bits, constants: RefCell::new(constants) })
     }
 
@@ -68,7 +69,8 @@ impl Arithmetic {
         if value.is_zero() {
             return Some("0".to_owned());
         }
-        let (sign, mantissa, exponent) = value.convert_to_radix(Radix::Dec, ROUNDING, &mut self.constants.borrow_mut()).ok()?;
+        let (sign, mantissa, exponent) =
+            value.convert_to_radix(Radix::Dec, ROUNDING, &mut self.constants.borrow_mut()).ok()?;
         // The value is 0.d₁d₂d₃... times 10^exponent.
         let (mut digits, carried) = rounded(&mantissa, digits.max(1));
         let exponent = exponent + i32::from(carried) - 1;

@@ -65,7 +65,13 @@ pub(crate) struct Flight {
 impl Flight {
     /// From `φ_n(τ_n) = 0` and the velocity `φ'_n(τ_n)`, by Eq. 36 for any `n`:
     /// `B e^τ + A e^-τ = -i - Ξ(τ)` and `B e^τ - A e^-τ = φ' - Ξ'(τ)`. At `τ_0 = 0` and `φ' = 0` it is Eq. 10.
-    pub(crate) fn from_impact(ar: &Arithmetic, excitation: &Excitation, sign: f64, tau: &BigFloat, velocity: &BigFloat) -> Self {
+    pub(crate) fn from_impact(
+        ar: &Arithmetic,
+        excitation: &Excitation,
+        sign: f64,
+        tau: &BigFloat,
+        velocity: &BigFloat,
+    ) -> Self {
         let sum = ar.sub(&ar.number(-sign), &excitation.xi(ar, tau));
         let difference = ar.sub(velocity, &excitation.xi_prime(ar, tau));
         let e = ar.exp(tau);
@@ -85,6 +91,11 @@ impl Flight {
         let (growing, falling) = self.modes(ar, tau);
         let transient = ar.add(&ar.add(&growing, &falling), &ar.number(self.sign));
         ar.add(&transient, &excitation.xi(ar, tau))
+    }
+
+    /// Whether a rotation has the sign of the flight. It is not rounded to a double for this: it may be too small for one.
+    pub(crate) fn is_off_base(&self, rotation: &BigFloat) -> bool {
+        !rotation.is_zero() && rotation.is_positive() == (self.sign > 0.0)
     }
 
     /// `φ'_n(τ)`, second line of Eq. 6.
@@ -108,7 +119,7 @@ mod tests {
     fn a_flight_solves_eq_4() {
         let ar = Arithmetic::new(512).unwrap();
         let excitation = excitation(&ar);
-        let h = ar.number(2_f64.powi(-140));
+        let h = ar.number(2_f64.powi(-120));
         for (sign, tau_n, velocity) in [(-1.0, 0.0, 0.0), (1.0, 0.5625, 0.01), (-1.0, 0.75, -0.25)] {
             let flight = Flight::from_impact(&ar, &excitation, sign, &ar.number(tau_n), &ar.number(velocity));
             assert!(double(&flight.rotation(&ar, &excitation, &ar.number(tau_n))).abs() < 1e-150);
@@ -122,7 +133,7 @@ mod tests {
                 let residual = ar.add(&ar.add(&ar.sub(&second, &at), &ar.number(sign)), &excitation.forcing(&ar, &tau));
                 assert!(double(&residual).abs() < 1e-70, "residual {:e}", double(&residual));
                 let slope = ar.div(&ar.sub(&after, &before), &ar.scale(&h, 2.0));
-                assert!(double(&ar.sub(&slope, &flight.velocity(&ar, &excitation, &tau))).abs() < 1e-80);
+                assert!(double(&ar.sub(&slope, &flight.velocity(&ar, &excitation, &tau))).abs() < 1e-70);
             }
         }
     }
@@ -138,7 +149,7 @@ mod tests {
         let b_0 = ar.scale(&ar.add(&ar.add(&xi, &xi_prime), &i_0), -0.5);
         assert!(double(&ar.sub(&a_0, &flight.falling)).abs() < 1e-70);
         assert!(double(&ar.sub(&b_0, &flight.growing)).abs() < 1e-70);
-        // Eqs 11 and 12: a sin ψ = 1 and a cos ψ = sqrt(2ε + ε²), and rocking starts without rotation, velocity or acceleration.
+        // Eq. 24: a sin ψ = -i_0, so that the acceleration starts at zero.
         assert!((double(&excitation.forcing(&ar, &zero)) - 1.0).abs() < 1e-16);
     }
 }

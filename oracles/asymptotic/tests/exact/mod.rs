@@ -29,9 +29,9 @@ pub fn impacts(epsilon: f64, omega: f64, eta: f64, most: usize) -> (Vec<Impact>,
     (list, true)
 }
 
-/// `τ_ch`: the impacts until intervals are 1e-13 of the time, closed geometrically (Eq. 75). `None` when incomplete.
+/// `τ_ch`: the impacts until their velocities have fallen by e^36, closed geometrically (Eq. 75). `None` when incomplete.
 pub fn chattering_time(epsilon: f64, omega: f64, eta: f64) -> Option<f64> {
-    let most = 60 + (60.0 / -eta.ln()) as usize;
+    let most = 60 + (36.0 / -eta.ln()) as usize;
     let (list, complete) = impacts(epsilon, omega, eta, most);
     if !complete {
         return None;

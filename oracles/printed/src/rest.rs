@@ -1,0 +1,54 @@
+use contract::Case;
+
+/// Windows tried, as multiples of what the remaining flights would take in a forcing that does not change.
+const WINDOWS: [f64; 6] = [1.1, 1.25, 1.5, 2.0, 3.0, 4.0];
+
+/// Whether infinitely many impacts certainly follow, all of them within `left`, after an impact with the `velocity` just after it, where the
+/// forcing of Eq. 4 is `forcing`.
+///
+/// In a window of length `r` the forcing stays within `aωr` of what it is. That bounds the acceleration towards the base from below,
+/// `|φ''| = 1 ± f - |φ| >= m`, for the flights of each sign. A flight that leaves with speed `v` lasts `2v/m` at the most and rises to
+/// `v²/(2m)` at the most, so that within the flight the acceleration varies by `δ = 2aωv/m + v²/(2m)` at the most; it comes back with
+/// `v sqrt(1 + δ/m)` at the most. A pair of flights takes at most a known multiple of `v`, and leaves at most `q v`, with
+/// `q = η² sqrt(1 + δ₊/m₊) sqrt(1 + δ₋/m₋)`. If neither flight speeds the block up, and the sum over all pairs fits into the window and the
+/// window into `left`, then nothing ever left the window.
+pub(crate) fn is_certain(case: &Case, forcing: f64, velocity: f64, left: f64) -> bool {
+    let (eta, speed) = (case.eta(), velocity.abs());
+    let steepest = case.amplitude() * case.omega();
+    let toward = [1.0 + forcing * velocity.signum(), 1.0 - forcing * velocity.signum()];
+    // The next flight has the sign of the velocity; `growth` is what a flight makes of a speed.
+    let total = |[this, other]: [f64; 2], [growth_of_this, growth_of_other]: [f64; 2]| {
+        let pair = eta * eta * growth_of_this * growth_of_other;
+        2.0 * speed * (1.0 / this + eta * growth_of_this / other) / (1.0 - pair)
+    };
+    let unchanged = total(toward, [1.0, 1.0]);
+    WINDOWS.iter().any(|factor| {
+        let window = factor * unchanged;
+        let rise = |m: f64| speed * speed / (2.0 * m);
+        let least = toward.map(|now| {
+            let m = now - steepest * window;
+            m - rise(0.5 * m)
+        });
+        let growth = least.map(|m| (1.0 + (2.0 * steepest * speed / m + rise(m)) / m).sqrt());
+        // Comparisons with NaN are false.
+        toward.iter().zip(&least).all(|(now, m)| *m > 0.0 && *m > 0.5 * (now - steepest * window))
+            && growth.iter().all(|growth| eta * growth < 1.0)
+            && total(least, growth) < window
+            && window < left
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_velocities_in_a_gentle_forcing_are_certain_and_others_are_not() {
+        let case = Case::from_amplitude(1.03, 2.0, 0.92).unwrap();
+        assert!(is_certain(&case, 0.43, -1.6e-4, 0.4));
+        assert!(!is_certain(&case, 0.43, -1.6e-4, 0.004), "it takes longer than is left");
+        assert!(!is_certain(&case, 0.43, -0.02, 0.4), "the forcing changes");
+        assert!(!is_certain(&case, 1.01, 1.6e-8, 0.4), "the forcing lifts the block");
+        assert!(!is_certain(&case, f64::NAN, 1.6e-8, 0.4));
+    }
+}

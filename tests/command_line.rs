@@ -1,0 +1,222 @@
+//! The commands: their formats, their exit status, and what bad input gets.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn chattercheck(arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_chattercheck"));
+    command.args(arguments.split_whitespace());
+    command
+}
+
+/// Runs a command that has to succeed and returns what it printed.
+fn stdout(arguments: &str) -> String {
+    let output = chattercheck(arguments).assert().success().get_output().stdout.clone();
+    String::from_utf8(output).unwrap()
+}
+
+fn json(arguments: &str) -> Value {
+    serde_json::from_str(&stdout(arguments)).unwrap()
+}
+
+/// Runs a command that has to be refused: status 2, nothing on stdout, one line on stderr that has all of `words`.
+fn refused(arguments: &str, words: &[&str]) {
+    let assert = chattercheck(arguments).assert().code(2);
+    let output = assert.get_output();
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.stdout.is_empty(), "{arguments}: something on stdout");
+    assert_eq!(stderr.lines().count(), 1, "{arguments}: {stderr}");
+    for word in words {
+        assert!(stderr.contains(word), "{arguments}: `{word}` is missing in: {stderr}");
+    }
+    assert!(!stderr.contains("panicked"), "{arguments}: {stderr}");
+}
+
+#[test]
+fn chattering_time_by_every_oracle() {
+    let exact = 1.125947676933812;
+    let case = "--a 1.03 --omega 2 --eta 0.92 --format json";
+    for (oracle, digits) in [
+        ("closed-form", 1e-14),
+        ("ode", 1e-9),
+        ("ode --method bdf", 1e-4),
+        ("printed --impacts 80", 1e-13),
+        ("asymptotic", 0.05),
+    ] {
+        let answer = json(&format!("chattering-time {case} --oracle {oracle}"));
+        let found = answer["tau_ch"].as_f64().unwrap();
+        let claimed = answer["uncertainty"].as_f64().unwrap();
+        assert!((found - exact).abs() <= digits, "{oracle}: {found}");
+        assert!((found - exact).abs() <= claimed, "{oracle}: {found} claims {claimed:e}");
+        assert_eq!(answer["complete"], true);
+        assert!((answer["half_period_fraction"].as_f64().unwrap() / found - 2.0 / std::f64::consts::PI).abs() < 1e-12);
+    }
+    let nonlinear = json(&format!("chattering-time {case} --oracle ode --alpha 0.2"));
+    let relative = nonlinear["tau_ch"].as_f64().unwrap() / exact - 1.0;
+    assert!((1e-4..1.5e-4).contains(&relative.abs()), "{relative}");
+    let slender = json(&format!("chattering-time {case} --oracle ode --alpha 0.2 --normalisation slender"));
+    let earlier = 1.0 - slender["tau_ch"].as_f64().unwrap() / exact;
+    assert!((0.33..0.35).contains(&earlier), "{earlier}");
+}
+
+#[test]
+fn incomplete_and_absent_rocking_have_no_chattering_time() {
+    let incomplete = json("chattering-time --a 1.05 --omega 2 --eta 0.92 --format json");
+    assert_eq!((&incomplete["complete"], &incomplete["tau_ch"]), (&Value::Bool(false), &Value::Null));
+    let still = json("chattering-time --a 0.9 --omega 2 --eta 0.92 --format json");
+    assert_eq!((&still["rocks"], &still["tau_ch"]), (&Value::Bool(false), &Value::Null));
+    assert!(stdout("chattering-time --a 0.9 --omega 2 --eta 0.92").contains("does not rock"));
+}
+
+#[test]
+fn epsilon_is_not_rounded() {
+    let tiny = json("chattering-time --epsilon 1e-20 --omega 2 --eta 0.92 --format json");
+    let leading = 10.827_447_906_756_6 * 1e-10 / 2.0;
+    assert!((tiny["tau_ch"].as_f64().unwrap() / leading - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn simulate_prints_initiation_and_the_impacts() {
+    let csv = stdout("simulate --a 1.03 --omega 2 --eta 0.92 --impacts 5");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "n,tau,interval,velocity,sign");
+    assert_eq!(lines[1], "0,0.0,,0.0,-1");
+    assert!(lines[2].starts_with("1,0.487764790632652"), "{}", lines[2]);
+    assert!(lines[2].ends_with(",1") && lines[3].ends_with(",-1"));
+    assert_eq!(lines.len(), 7);
+    let document = json("simulate --a 1.03 --omega 2 --eta 0.92 --impacts 5 --format json");
+    assert_eq!(document["impacts"][0]["interval"], Value::Null);
+    assert_eq!(document["impacts"].as_array().unwrap().len(), 6);
+    // Shortest decimals that come back: the CSV and the JSON hold the same doubles.
+    let from_csv: f64 = lines[6].split(',').nth(1).unwrap().parse().unwrap();
+    assert_eq!(document["impacts"][5]["tau"].as_f64().unwrap(), from_csv);
+    assert_eq!(stdout("simulate --a 0.5 --omega 2 --eta 0.92").lines().count(), 1);
+}
+
+#[test]
+fn past_half_a_period_and_overturning() {
+    let past = stdout("simulate --a 1.05 --omega 2 --eta 0.92 --until 3");
+    let last: f64 = past.lines().last().unwrap().split(',').nth(1).unwrap().parse().unwrap();
+    assert!(last > std::f64::consts::FRAC_PI_2 && last < 3.0, "{last}");
+    let over = json("simulate --a 5 --omega 2 --eta 0.92 --until 50 --format json");
+    assert_eq!(over["ending"], "overturned");
+}
+
+#[test]
+fn bad_values_are_refused_with_field_value_and_range() {
+    refused("chattering-time --a 1.03 --omega 2 --eta 1.5", &["eta = 1.5", "0 < eta < 1"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0", &["eta = 0", "0 < eta < 1"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta NaN", &["eta = NaN"]);
+    refused("chattering-time --a 1.03 --omega 0 --eta 0.9", &["omega = 0", "omega > 0"]);
+    refused("chattering-time --a 1.03 --omega -2 --eta 0.9", &["omega = -2", "omega > 0"]);
+    refused("chattering-time --a inf --omega 2 --eta 0.9", &["a = inf", "0 <= a"]);
+    refused("chattering-time --a -1 --omega 2 --eta 0.9", &["a = -1"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --alpha 1.6", &["alpha = 1.6", "pi/2"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --alpha 0.2 --normalisation tan", &["normalisation = tan"]);
+    refused("chattering-time --a 1.03 --omega 1e300 --eta 0.9", &["omega", "1e-6 <= omega <= 1e6"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --impacts 0", &["impacts = 0"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --oracle ode --rtol 2", &["rtol = 2"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --oracle ode --model nonlinear", &["slenderness"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --method bdf", &["method = bdf", "only with --oracle ode"]);
+    refused("chattering-time --a 1.03 --omega 2 --eta 0.9 --oracle magic", &["oracle = magic", "closed-form"]);
+    refused("simulate --a 1.03 --omega 2 --eta 0.9 --until -1", &["until = -1"]);
+    refused("simulate --a 1.03 --omega x --eta 0.9", &["omega", "x"]);
+    refused("simulate --a 1.03 --eta 0.9", &["--omega"]);
+    refused("verify --partition 3/2", &["partition = 3/2"]);
+    refused("verify --oracles nobody", &["oracles = nobody"]);
+    refused("verify --cases -1", &["--cases", "-1"]);
+    refused("replay does-not-exist.toml", &["does-not-exist.toml"]);
+    refused("verify --json /no/such/folder/report.json", &["/no/such/folder/report.json"]);
+    refused("shake", &["shake"]);
+}
+
+#[test]
+fn replay_files_with_something_wrong_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("replay.toml");
+    let refuse = |text: &str, words: &[&str]| {
+        std::fs::write(&path, text).unwrap();
+        refused(&format!("replay {}", path.display()), words);
+    };
+    let good = replay_text();
+    refuse("not toml at all", &["replay.toml"]);
+    refuse(&good.replace("seed = 1", "seed = 1\ncolour = 3"), &["colour"]);
+    refuse(&good.replace("eta = 0.92", "eta = 1.92"), &["eta = 1.92", "0 < eta < 1"]);
+    refuse(&good.replace("0x1p+1", "0x1p+2"), &["exact.omega"]);
+    refuse(&good.replace("\"closed-form\"", "\"nobody\""), &["nobody"]);
+    std::fs::write(&path, [0xff, 0xfe, 0x00]).unwrap();
+    refused(&format!("replay {}", path.display()), &["replay.toml"]);
+}
+
+fn replay_text() -> String {
+    "version = \"0.1.0\"\nfound_in = \"list/x\"\nseed = 1\noracles = [\"closed-form\", \"ode/linear/tsit45\"]\nfault = \"seen once\"\n\n\
+     [case]\nepsilon = 0.03125\nomega = 2.0\neta = 0.92\nimpacts = 20\n\n\
+     [exact]\nepsilon = \"0x1p-5\"\nomega = \"0x1p+1\"\neta = \"0x1.d70a3d70a3d71p-1\"\n"
+        .to_owned()
+}
+
+#[test]
+fn a_replay_of_what_is_mended_passes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("replay.toml");
+    std::fs::write(&path, replay_text()).unwrap();
+    let printed = stdout(&format!("replay {}", path.display()));
+    assert!(printed.contains("seen once") && printed.contains("PASS"), "{printed}");
+}
+
+#[test]
+fn verify_is_green_deterministic_and_written_for_machines() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |threads: &str, name: &str| -> (String, Value, String) {
+        let (json, junit) = (folder.path().join(format!("{name}.json")), folder.path().join(format!("{name}.xml")));
+        let assert = chattercheck("verify --cases 40 --seed 5 --partition 1/3 --json")
+            .arg(&json)
+            .arg("--junit")
+            .arg(&junit)
+            .env("RAYON_NUM_THREADS", threads)
+            .assert()
+            .success();
+        let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        let report = serde_json::from_str(&std::fs::read_to_string(json).unwrap()).unwrap();
+        (text, report, std::fs::read_to_string(junit).unwrap())
+    };
+    let (one, two) = (run("1", "one"), run("2", "two"));
+    assert_eq!(one.0, two.0);
+    assert_eq!(one.1, two.1);
+    let report = one.1;
+    assert_eq!(report["verdict"], "pass");
+    assert_eq!(report["seed"], 5);
+    assert_eq!(report["pairs"].as_array().unwrap().len(), 21);
+    let cases = report["reach"]["cases"].as_u64().unwrap() as usize;
+    assert_eq!(one.2.matches("<testcase").count(), cases + 1);
+    assert!(one.0.contains("seed 5") && one.0.trim_end().ends_with("PASS: every oracle agrees with every other"));
+}
+
+#[test]
+fn a_red_gate_has_status_1_and_writes_a_replay_file() {
+    // The naive mode of the ODE oracle is known to lose the sequence.
+    let folder = tempfile::tempdir().unwrap();
+    let replays = folder.path().join("replays");
+    let assert = chattercheck("verify --cases 30 --quiet --oracles closed-form,ode/linear/tsit45/naive --replays")
+        .arg(&replays)
+        .assert()
+        .code(1);
+    let text = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+    assert!(text.contains("FAILED") && text.contains("ode/linear/tsit45/naive") && text.contains("impact"), "{text}");
+    let first = std::fs::read_dir(&replays).unwrap().next().unwrap().unwrap().path();
+    chattercheck("replay").arg(&first).assert().code(1);
+    assert!(Path::new(&first).extension().is_some_and(|extension| extension == "toml"));
+}
+
+#[test]
+fn help_names_every_flag() {
+    for command in ["verify", "replay", "simulate", "chattering-time", "oracles"] {
+        assert!(stdout(&format!("{command} --help")).contains("Usage"), "{command}");
+    }
+    for flag in ["--cases", "--seed", "--oracles", "--json", "--junit", "--partition"] {
+        assert!(stdout("verify --help").contains(flag), "{flag}");
+    }
+}

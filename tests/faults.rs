@@ -1,0 +1,387 @@
+//! The gate is tested by planting faults in one oracle: each must turn it red, and the report must name the oracle, the observable and the
+//! first impact at which it shows.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use chattercheck::{
+    examine::Fault,
+    generate::{Generator, Named},
+    ladder,
+    laws::Law,
+    observables::Observable,
+    panel,
+    report::Report,
+    verify,
+};
+use contract::{Case, Decline, Ending, Estimate, History, Loss, Model, Normalisation, Oracle, Slenderness};
+
+/// An oracle with something wrong: what it is asked or what it answers is tampered with.
+struct Faulty {
+    inner: Box<dyn Oracle>,
+    ask: fn(&Case) -> Case,
+    answer: fn(&Case, &mut History),
+}
+
+impl Oracle for Faulty {
+    fn name(&self) -> &str {
+        self.inner.name()
+    }
+
+    fn model(&self) -> Model {
+        self.inner.model()
+    }
+
+    fn history(&self, case: &Case) -> Result<History, Decline> {
+        let mut history = self.inner.history(&(self.ask)(case))?;
+        (self.answer)(case, &mut history);
+        Ok(history)
+    }
+}
+
+const CLOSED: &str = "closed-form";
+const ODE: &str = "ode/linear/tsit45";
+const NONLINEAR: &str = "ode/nonlinear/tsit45";
+const SERIES: &str = "asymptotic";
+
+fn same(case: &Case) -> Case {
+    *case
+}
+
+fn untouched(_: &Case, _: &mut History) {}
+
+fn with(case: &Case, epsilon: f64, omega: f64, eta: f64) -> Case {
+    let new = Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(case.max_impacts()).unwrap();
+    let new = new.with_horizon(case.horizon()).unwrap();
+    case.slenderness().map_or(new, |slenderness| new.with_slenderness(slenderness))
+}
+
+/// The cases that faults are looked for in: few, of every kind.
+fn cases() -> Vec<Named> {
+    let stepper = panel::default().swap_remove(0);
+    let of = |generator: Generator, every: usize| {
+        generator.cases(11, 60, stepper.as_ref()).into_iter().step_by(every).collect::<Vec<_>>()
+    };
+    [of(Generator::List, 1), of(Generator::Spaced, 5), of(Generator::Random, 1)].concat()
+}
+
+fn run(panel: &[Box<dyn Oracle>]) -> Report {
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let ladders = ladder::descend(&panel).unwrap();
+    verify::run(&panel, &cases(), 11, ladders, || ()).0
+}
+
+/// The panel that faults are planted in: one oracle of each kind.
+fn small_panel() -> Vec<Box<dyn Oracle>> {
+    panel::select(&[CLOSED, ODE, NONLINEAR, SERIES].join(",")).unwrap()
+}
+
+fn planted(name: &str, ask: fn(&Case) -> Case, answer: fn(&Case, &mut History)) -> Report {
+    let plant = |inner: Box<dyn Oracle>| -> Box<dyn Oracle> {
+        if inner.name() == name { Box::new(Faulty { inner, ask, answer }) } else { inner }
+    };
+    run(&small_panel().into_iter().map(plant).collect::<Vec<_>>())
+}
+
+/// The faults reported for one listed case.
+fn faults_in<'a>(report: &'a Report, case: &str) -> Vec<&'a Fault> {
+    let failed = report.failures.iter().filter(|failure| failure.name == case);
+    failed.flat_map(|failure| &failure.faults).collect()
+}
+
+/// The gate is red, every fault in the reference case is about `name`, and the pair with `other` shows `observable` first at `impact`.
+fn caught(report: &Report, name: &str, other: &str, observable: Observable, impact: usize) {
+    assert!(!report.passes(), "the gate stayed green");
+    let faults = faults_in(report, "list/fig-2");
+    assert!(!faults.is_empty(), "nothing was found in list/fig-2");
+    assert!(faults.iter().all(|fault| fault.oracles().contains(&name)), "{faults:#?}");
+    let found = faults.iter().any(|fault| match fault {
+        Fault::Pair { oracles, disagreement } => {
+            oracles.contains(&other.to_owned())
+                && disagreement.observable == observable
+                && disagreement.figure.impact == impact
+        }
+        Fault::Law { .. } => false,
+    });
+    assert!(found, "no {observable} at impact {impact} against {other}: {faults:#?}");
+}
+
+fn breaks(report: &Report, name: &str, law: Law, impact: usize) {
+    assert!(!report.passes(), "the gate stayed green");
+    let faults = faults_in(report, "list/fig-2");
+    let found = faults.iter().any(|fault| {
+        matches!(fault, Fault::Law { oracle, breach } if oracle == name && breach.law == law && breach.impact == impact)
+    });
+    assert!(found, "{law:?} at impact {impact} is not named: {faults:#?}");
+}
+
+#[test]
+fn without_a_fault_the_gate_is_green() {
+    let report = run(&small_panel());
+    assert!(report.passes(), "{}", chattercheck::report::text(&report));
+}
+
+#[test]
+fn restitution_off_by_1e_9() {
+    let ask = |case: &Case| with(case, case.epsilon(), case.omega(), case.eta() * (1.0 + 1e-9));
+    caught(&planted(CLOSED, ask, untouched), CLOSED, ODE, Observable::Velocity, 1);
+    caught(&planted(ODE, ask, untouched), ODE, CLOSED, Observable::Velocity, 1);
+}
+
+#[test]
+fn frequency_off_by_1e_9() {
+    let ask = |case: &Case| with(case, case.epsilon(), case.omega() * (1.0 + 1e-9), case.eta());
+    caught(&planted(CLOSED, ask, untouched), CLOSED, ODE, Observable::Interval, 1);
+}
+
+#[test]
+fn amplitude_off_by_1e_9() {
+    let ask = |case: &Case| with(case, case.epsilon() + (1.0 + case.epsilon()) * 1e-9, case.omega(), case.eta());
+    caught(&planted(ODE, ask, untouched), ODE, CLOSED, Observable::Interval, 1);
+}
+
+#[test]
+fn restitution_squared() {
+    let ask = |case: &Case| with(case, case.epsilon(), case.omega(), case.eta() * case.eta());
+    caught(&planted(NONLINEAR, ask, untouched), NONLINEAR, CLOSED, Observable::Velocity, 1);
+}
+
+#[test]
+fn slenderness_taken_with_the_wrong_normalisation() {
+    let ask = |case: &Case| match case.slenderness() {
+        Some(s) => case.with_slenderness(Slenderness::new(s.alpha(), Normalisation::Slender).unwrap()),
+        None => *case,
+    };
+    caught(&planted(NONLINEAR, ask, untouched), NONLINEAR, CLOSED, Observable::Interval, 1);
+}
+
+#[test]
+fn a_missed_impact() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.impacts.len() > 24 {
+            let missed = history.impacts.remove(20);
+            history.impacts[20].interval += missed.interval;
+        }
+    };
+    // The method falls through the base and lands one impact later: impact 21 is in fact 22.
+    breaks(&planted(CLOSED, same, answer), CLOSED, Law::SignAlternates, 21);
+    // Even if it hid that.
+    let answer = |_: &Case, history: &mut History| {
+        if history.impacts.len() > 24 {
+            let missed = history.impacts.remove(20);
+            history.impacts[20].interval += missed.interval;
+            history.impacts.iter_mut().skip(20).for_each(|impact| impact.velocity = -impact.velocity);
+        }
+    };
+    caught(&planted(CLOSED, same, answer), CLOSED, ODE, Observable::Interval, 21);
+}
+
+#[test]
+fn a_missed_pair_of_impacts_at_depth() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.impacts.len() > 55 {
+            let missed: f64 = history.impacts.drain(50..52).map(|impact| impact.interval).sum();
+            history.impacts[50].interval += missed;
+        }
+    };
+    caught(&planted(ODE, same, answer), ODE, CLOSED, Observable::Interval, 51);
+}
+
+#[test]
+fn an_impact_too_many() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.impacts.len() > 12 {
+            let mut extra = history.impacts[10];
+            extra.interval *= 1e-3;
+            extra.velocity = -extra.velocity;
+            history.impacts.insert(11, extra);
+            history.impacts.pop();
+        }
+    };
+    caught(&planted(ODE, same, answer), ODE, CLOSED, Observable::Interval, 12);
+}
+
+#[test]
+fn a_flipped_sign() {
+    let answer = |_: &Case, history: &mut History| {
+        if let Some(impact) = history.impacts.get_mut(9) {
+            impact.velocity = -impact.velocity;
+        }
+    };
+    breaks(&planted(CLOSED, same, answer), CLOSED, Law::SignAlternates, 10);
+}
+
+#[test]
+fn a_restart_lifted_off_the_base() {
+    // Flights never get shorter than the lift allows: the block rattles for ever.
+    let answer = |_: &Case, history: &mut History| {
+        let mut time = 0.0;
+        for impact in &mut history.impacts {
+            impact.interval = impact.interval.hypot(2e-5);
+            time += impact.interval;
+            impact.time = time;
+        }
+    };
+    let report = planted(ODE, same, answer);
+    caught(&report, ODE, CLOSED, Observable::Interval, 1);
+}
+
+#[test]
+fn rest_declared_below_a_velocity_threshold() {
+    let answer = |_: &Case, history: &mut History| {
+        if let Some(n) = history.impacts.iter().position(|impact| impact.velocity.abs() < 5e-4) {
+            history.impacts.truncate(n);
+            history.ending = Ending::AtRest;
+        }
+    };
+    let report = planted(CLOSED, same, answer);
+    assert!(!report.passes());
+    let faults = faults_in(&report, "list/fig-2");
+    assert!(faults.iter().any(|fault| matches!(
+        fault,
+        Fault::Pair { disagreement, .. } if disagreement.observable == Observable::Ending
+    )));
+}
+
+#[test]
+fn incomplete_chattering_called_complete() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.ending == Ending::Incomplete {
+            history.ending = Ending::AtRest;
+        }
+    };
+    let report = planted(CLOSED, same, answer);
+    let faults = faults_in(&report, "list/fig-11");
+    assert!(
+        faults.iter().any(|fault| matches!(
+            fault,
+            Fault::Pair { oracles, disagreement } if oracles.contains(&ODE.to_owned()) && disagreement.observable == Observable::Ending
+        )),
+        "{faults:#?}"
+    );
+}
+
+#[test]
+fn a_clock_that_slips() {
+    let answer = |_: &Case, history: &mut History| {
+        history.impacts.iter_mut().skip(30).for_each(|impact| impact.time += 1e-9);
+    };
+    breaks(&planted(CLOSED, same, answer), CLOSED, Law::TimeIsSum, 31);
+}
+
+#[test]
+fn intervals_taken_as_differences_of_times() {
+    let answer = |_: &Case, history: &mut History| {
+        let mut before = 0.0;
+        for impact in &mut history.impacts {
+            impact.interval = impact.time - before;
+            before = impact.time;
+        }
+    };
+    let report = planted(CLOSED, same, answer);
+    assert!(!report.passes());
+    // It shows where the intervals are some 1e-5 of the time and the claims of both are 1e-11: deep down.
+    let faults = faults_in(&report, "list/fig-2-deep");
+    assert!(faults.iter().all(|fault| fault.oracles().contains(&CLOSED) && fault.impact() > 100), "{faults:#?}");
+}
+
+#[test]
+fn a_value_that_is_not_a_number() {
+    let answer = |_: &Case, history: &mut History| {
+        if let Some(impact) = history.impacts.get_mut(4) {
+            impact.interval = f64::NAN;
+        }
+    };
+    breaks(&planted(ODE, same, answer), ODE, Law::Form, 5);
+}
+
+#[test]
+fn a_series_summed_with_the_wrong_tail() {
+    let answer = |_: &Case, history: &mut History| {
+        if let Some(Estimate { value, .. }) = &mut history.chattering_time {
+            *value *= 1.5;
+        }
+    };
+    let report = planted(SERIES, same, answer);
+    assert!(!report.passes());
+    assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&SERIES)));
+}
+
+#[test]
+fn a_claim_that_is_too_small() {
+    let answer = |_: &Case, history: &mut History| {
+        for impact in &mut history.impacts {
+            impact.uncertainty.velocity *= 1e-4;
+        }
+    };
+    let report = planted(ODE, same, answer);
+    assert!(!report.passes());
+    assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&ODE)));
+}
+
+#[test]
+fn a_claim_of_nothing() {
+    let answer = |_: &Case, history: &mut History| {
+        for impact in &mut history.impacts {
+            impact.uncertainty.interval = f64::INFINITY;
+            impact.uncertainty.velocity = f64::INFINITY;
+            impact.uncertainty.time = f64::INFINITY;
+        }
+    };
+    let report = planted(ODE, same, answer);
+    assert!(!report.passes());
+    assert!(report.shortfalls.iter().any(|shortfall| shortfall.contains("in name only")), "{:?}", report.shortfalls);
+}
+
+#[test]
+fn a_loss_is_red() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.impacts.len() > 30 {
+            history.impacts.truncate(30);
+            history.ending = Ending::Lost(Loss::FellThrough);
+        }
+    };
+    breaks(&planted(ODE, same, answer), ODE, Law::NotLost, 31);
+}
+
+#[test]
+fn a_panic_is_red_and_does_not_take_the_run_with_it() {
+    let answer = |case: &Case, _: &mut History| assert!(case.omega() > 1e-9 && case.epsilon() < 0.02, "planted panic");
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| ()));
+    let report = planted(ODE, same, answer);
+    std::panic::set_hook(hook);
+    breaks(&report, ODE, Law::Answers, 0);
+}
+
+#[test]
+fn an_oracle_that_declines_everything_is_red() {
+    struct Idle;
+    impl Oracle for Idle {
+        fn name(&self) -> &str {
+            "idle"
+        }
+        fn model(&self) -> Model {
+            Model::Linear
+        }
+        fn history(&self, _: &Case) -> Result<History, Decline> {
+            Err(Decline::Unsupported { what: "anything" })
+        }
+    }
+    let mut panel = small_panel();
+    panel.push(Box::new(Idle));
+    let report = run(&panel);
+    assert!(report.failures.is_empty() && !report.passes());
+    assert!(report.shortfalls.iter().any(|shortfall| shortfall.starts_with("idle answered no case")));
+}
+
+#[test]
+fn the_order_in_alpha_is_checked() {
+    // A nonlinear oracle whose slenderness is off by a part in ten at small angles still stays within the gap, but not on the ladder.
+    let ask = |case: &Case| match case.slenderness() {
+        Some(s) if s.alpha() < 0.03 => {
+            case.with_slenderness(Slenderness::new(s.alpha() * 1.2, Normalisation::Threshold).unwrap())
+        }
+        _ => *case,
+    };
+    let report = planted(NONLINEAR, ask, untouched);
+    assert!(report.shortfalls.iter().any(|shortfall| shortfall.contains("alpha^2")), "{:?}", report.shortfalls);
+}

@@ -1,0 +1,131 @@
+//! The oracles are independent: none depends on another, and none on anything that is not on its list.
+//!
+//! Shared code would make two methods agree on the same mistake. The contract crate carries words only: it is `no_std`, which keeps `sqrt`
+//! and `sin` out of it, and depends on nothing.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use std::{collections::BTreeSet, path::Path, process::Command};
+
+use serde_json::Value;
+
+/// What each crate under `oracles/` may depend on, at run time and at build time. To use something new, add it here with a reason.
+const ALLOWED: &[(&str, &[&str])] = &[
+    ("contract", &[]),
+    ("closed_form", &["contract"]),
+    // diffsol is the generic solver that this oracle is about
+    ("ode", &["contract", "diffsol"]),
+    ("asymptotic", &["contract"]),
+    // arithmetic with many digits
+    ("printed", &["contract", "astro-float"]),
+];
+
+fn metadata() -> Value {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The packages under `oracles/`, by name, with their dependencies (normal, build and development) by kind.
+fn oracle_crates() -> Vec<(String, Vec<(String, String)>)> {
+    let metadata = metadata();
+    let packages = metadata["packages"].as_array().unwrap();
+    let in_oracles = packages.iter().filter(|package| {
+        let manifest = Path::new(package["manifest_path"].as_str().unwrap());
+        manifest.parent().and_then(Path::parent).is_some_and(|folder| folder.ends_with("oracles"))
+    });
+    in_oracles
+        .map(|package| {
+            let dependencies = package["dependencies"].as_array().unwrap().iter();
+            let named = dependencies.map(|dependency| {
+                let kind = dependency["kind"].as_str().unwrap_or("normal");
+                (dependency["name"].as_str().unwrap().to_owned(), kind.to_owned())
+            });
+            (package["name"].as_str().unwrap().to_owned(), named.collect())
+        })
+        .collect()
+}
+
+#[test]
+fn every_folder_under_oracles_is_a_crate_with_an_entry() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles");
+    let folders: BTreeSet<String> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let crates: BTreeSet<String> = oracle_crates().into_iter().map(|(name, _)| name).collect();
+    let listed: BTreeSet<String> = ALLOWED.iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert_eq!(folders, crates);
+    assert_eq!(crates, listed);
+}
+
+#[test]
+fn no_oracle_depends_on_another_or_on_anything_off_its_list() {
+    for (name, dependencies) in oracle_crates() {
+        let allowed = ALLOWED.iter().find(|(listed, _)| *listed == name).unwrap().1;
+        for (dependency, kind) in dependencies {
+            if kind == "dev" {
+                // Tests of an oracle may use test crates, but not another oracle as their truth.
+                let is_oracle = ALLOWED.iter().any(|(other, _)| *other == dependency && dependency != "contract");
+                assert!(!is_oracle, "{name} tests itself against the oracle {dependency}");
+            } else {
+                assert!(
+                    allowed.contains(&dependency.as_str()),
+                    "{name} depends on {dependency}, off its list {allowed:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn no_oracle_takes_in_source_from_outside_its_folder() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles");
+    let mut files = vec![root];
+    let mut seen = 0;
+    while let Some(path) = files.pop() {
+        if path.is_dir() {
+            assert!(!path.is_symlink(), "{} is a link", path.display());
+            files.extend(std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            assert!(!path.is_symlink(), "{} is a link", path.display());
+            let text = std::fs::read_to_string(&path).unwrap();
+            for way_in in ["#[path", "include!(", "include_str!(\"../../"] {
+                assert!(!text.contains(way_in), "{} uses {way_in}", path.display());
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen >= 15, "only {seen} source files found");
+}
+
+#[test]
+fn the_contract_has_no_mathematics() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/contract/src");
+    let lib = std::fs::read_to_string(folder.join("lib.rs")).unwrap();
+    assert!(lib.contains("#![no_std]"), "the contract crate must stay no_std");
+    assert!(!lib.contains("extern crate std"), "the contract crate must not bring std back");
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+        let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+        for function in ["libm", ".sqrt(", ".sin(", ".cos(", ".exp(", "powi(", "powf("] {
+            assert!(!code.contains(function), "the contract crate calls {function}");
+        }
+    }
+}
+
+#[test]
+fn only_the_panel_and_the_tests_name_the_oracles() {
+    let mut files = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    while let Some(path) = files.pop() {
+        if path.is_dir() {
+            files.extend(std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
+        } else if !path.ends_with("panel.rs") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            for (name, _) in ALLOWED.iter().filter(|(name, _)| *name != "contract") {
+                assert!(!text.contains(&format!("{name}::")), "{} names {name}", path.display());
+            }
+        }
+    }
+}

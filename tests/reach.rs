@@ -1,0 +1,129 @@
+//! The generators hit what they should. A generator that silently stopped reaching a regime would leave the gate green and blind.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use chattercheck::{
+    critical,
+    generate::{Generator, Named},
+    panel, verify,
+};
+use contract::{Case, Ending, Horizon, Normalisation, Oracle};
+
+fn stepper() -> Box<dyn Oracle> {
+    panel::default().swap_remove(0)
+}
+
+fn cases(generator: Generator) -> Vec<Named> {
+    generator.cases(1, 2000, stepper().as_ref())
+}
+
+/// How a case ends for the closed form, and its shortest interval.
+fn outcome(case: &Case) -> (Ending, f64) {
+    let history = stepper().history(case).unwrap();
+    (history.ending, history.impacts.last().map_or(f64::INFINITY, |last| last.interval))
+}
+
+fn count(cases: &[Named], holds: impl Fn(&Case) -> bool) -> usize {
+    cases.iter().filter(|named| holds(&named.case)).count()
+}
+
+/// Distance to the threshold as a share of `a_cr - 1`, by the fit of Eq. 77.
+fn share(case: &Case) -> f64 {
+    case.epsilon() / (critical::eq77(case.eta()) - 1.0)
+}
+
+#[test]
+fn random_cases_reach_every_regime() {
+    let cases = cases(Generator::Random);
+    assert_eq!(cases.len(), 2000);
+    let reaches = |what: &str, least: usize, holds: &dyn Fn(&Case) -> bool| {
+        let found = count(&cases, holds);
+        assert!(found >= least, "{what}: {found} of 2000 cases, at least {least} expected");
+    };
+    reaches("near the threshold", 100, &|case| share(case) < 1e-3);
+    reaches("the middle", 700, &|case| (0.1..0.9).contains(&share(case)));
+    reaches("near a_cr, below", 100, &|case| (0.9..1.0).contains(&share(case)));
+    reaches("above a_cr", 100, &|case| share(case) > 1.02);
+    reaches("low restitution", 300, &|case| case.eta() < 0.7);
+    reaches("high restitution", 150, &|case| case.eta() > 0.96);
+    reaches("slow excitation", 40, &|case| case.omega() < 0.5);
+    reaches("fast excitation", 40, &|case| case.omega() > 8.0);
+    reaches("slender blocks", 400, &|case| case.slenderness().unwrap().alpha() < 0.05);
+    reaches("stocky blocks", 400, &|case| case.slenderness().unwrap().alpha() > 0.2);
+    let endings: Vec<_> = cases.iter().map(|named| outcome(&named.case)).collect();
+    let complete = endings.iter().filter(|(ending, _)| *ending == Ending::AtRest).count();
+    let incomplete = endings.iter().filter(|(ending, _)| *ending == Ending::Incomplete).count();
+    assert!(complete > 1000 && incomplete > 150, "{complete} complete, {incomplete} incomplete");
+    let deep = endings.iter().filter(|(_, interval)| *interval < 1e-15).count();
+    assert!(deep > 20, "{deep} cases with intervals below 1e-15");
+}
+
+#[test]
+fn edge_cases_walk_to_both_ends_of_the_range() {
+    let cases = cases(Generator::Edge);
+    let places: Vec<(f64, f64)> = vec![(2.0, 0.92), (0.5, 0.92), (8.0, 0.92), (2.0, 0.5), (2.0, 0.75), (2.0, 0.97)];
+    for (omega, eta) in places {
+        let (below, above) = critical::bracket(stepper().as_ref(), omega, eta).unwrap().expect("a critical amplitude");
+        assert_eq!(below.next_up(), above, "the bracket is two neighbouring doubles");
+        let here: Vec<f64> = cases
+            .iter()
+            .filter(|named| named.case.omega() == omega && named.case.eta() == eta)
+            .map(|named| named.case.epsilon())
+            .collect();
+        assert!(
+            here.contains(&below) && here.contains(&above),
+            "the walk reaches a_cr at omega = {omega}, eta = {eta}"
+        );
+        assert!(here.iter().filter(|epsilon| (*epsilon / below - 1.0).abs() < 1e-11).count() >= 8);
+        assert!(here.iter().any(|epsilon| *epsilon > 0.0 && *epsilon <= 1e-12), "the walk reaches the threshold");
+    }
+    let reaches = |least: usize, holds: &dyn Fn(&Case) -> bool| assert!(count(&cases, holds) >= least);
+    reaches(5, &|case| case.eta() >= 0.99);
+    reaches(5, &|case| case.eta() <= 0.5);
+    reaches(5, &|case| case.omega() <= 0.1);
+    reaches(5, &|case| case.omega() >= 20.0);
+    reaches(4, &|case| case.epsilon() <= 0.0);
+    let endings: Vec<Ending> = cases.iter().map(|named| outcome(&named.case).0).collect();
+    let of = |wanted: Ending| endings.iter().filter(|ending| **ending == wanted).count();
+    assert!(of(Ending::AtRest) > 60 && of(Ending::Incomplete) > 60 && of(Ending::NeverRocks) >= 4);
+}
+
+#[test]
+fn spaced_cases_fill_the_grid_and_are_complete() {
+    let cases = cases(Generator::Spaced);
+    assert_eq!(cases.len(), 150);
+    assert_eq!(
+        count(&cases, |case| outcome(case).0 == Ending::AtRest),
+        150 - count(&cases, |case| share(case) > 0.94 && outcome(case).0 != Ending::AtRest)
+    );
+}
+
+#[test]
+fn listed_cases_have_every_kind_of_ending_and_both_normalisations() {
+    let cases = cases(Generator::List);
+    for ending in [Ending::AtRest, Ending::Incomplete, Ending::NeverRocks, Ending::Overturned] {
+        assert!(cases.iter().any(|named| outcome(&named.case).0 == ending), "no listed case is {ending}");
+    }
+    let slender = |case: &Case| case.slenderness().is_some_and(|s| s.normalisation() == Normalisation::Slender);
+    assert!(count(&cases, slender) >= 1);
+    assert!(count(&cases, |case| case.horizon() != Horizon::HalfPeriod) >= 2);
+    assert!(count(&cases, |case| outcome(case).1 < 1e-19) >= 1, "no listed case goes down to 1e-20");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_cases_and_another_seed_others() {
+    let of = |seed| Generator::Random.cases(seed, 50, stepper().as_ref());
+    assert_eq!(of(7), of(7));
+    assert_ne!(of(7), of(8));
+    // A longer run begins with the cases of a shorter one.
+    assert_eq!(of(7)[..20], Generator::Random.cases(7, 20, stepper().as_ref())[..]);
+}
+
+#[test]
+fn partitions_are_disjoint_and_complete() {
+    let part = |k, n| verify::cases(&verify::Request { cases: 30, seed: 3, partition: (k, n) });
+    let whole = part(1, 1);
+    let mut parts: Vec<Named> = (1..=3).flat_map(|k| part(k, 3)).collect();
+    assert_eq!(parts.len(), whole.len());
+    parts.sort_by_key(|named| whole.iter().position(|other| other == named));
+    assert_eq!(parts, whole);
+}
