@@ -99,3 +99,8 @@ pub fn flags(case: &Case) -> String {
     }
     flags
 }
+
+/// What is wrong with a TOML file, in one line and without the parser's picture of it.
+pub fn one_line(error: &toml::de::Error) -> String {
+    error.message().replace('\n', " ")
+}

@@ -168,28 +168,35 @@ fn endings(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelG
             poisoned: 0,
         })
     };
-    match (kind(first.history.ending), kind(second.history.ending)) {
-        (Kind::Complete, Kind::Rocking) if is_too_close(case, first, second, gap) => return Verdict::TooClose,
-        (Kind::Rocking, Kind::Complete) if is_too_close(case, second, first, gap) => return Verdict::TooClose,
-        (Kind::Unknown, _) | (_, Kind::Unknown) => {}
-        (one, two) if one == two => {}
+    let same = match (kind(first.history.ending), kind(second.history.ending)) {
+        (Kind::Unknown, _) | (_, Kind::Unknown) => true,
+        (Kind::Complete, Kind::Rocking) | (Kind::Rocking, Kind::Complete) => false,
+        (one, two) if one == two => true,
         _ => return disagree(),
-    }
+    };
     let (shorter, longer) = if first.history.impacts.len() == common { (first, second) } else { (second, first) };
-    let Some(extra) = longer.history.impacts.get(common) else { return Verdict::Agree };
+    // One that comes to rest and one that does not part at an impact that the first has and the second has not.
+    let Some(extra) = longer.history.impacts.get(common) else {
+        return if same { Verdict::Agree } else { disagree() };
+    };
     let claimed = common.checked_sub(1).and_then(|last| shorter.history.impacts.get(last));
     let explained = match shorter.history.ending {
         Ending::AtRest => claimed.is_some_and(|last| last.interval < tolerance::RESOLUTION.value),
-        // An impact so near to the end of the time that one list has it and the other has not.
-        Ending::Incomplete | Ending::LimitReached(Limit::Time) => {
+        // An impact so near to the end of the time that one list has it and the other has not; across models, an impact that a block of
+        // slightly other stiffness does not have.
+        Ending::Incomplete | Ending::LimitReached(Limit::Time) | Ending::Overturned => {
             let unsure = extra.uncertainty.time + claimed.map_or(0.0, |last| last.uncertainty.time);
             horizon(case) - extra.time <= unsure + slack(Observable::ImpactTime, common + 1, gap)
         }
         // What is listed before a loss or an overturning was compared; the loss itself is judged by the laws.
         Ending::Lost(_) => true,
-        Ending::NeverRocks | Ending::Overturned | Ending::LimitReached(Limit::Impacts) => false,
+        Ending::NeverRocks | Ending::LimitReached(Limit::Impacts) => false,
     };
-    if explained { Verdict::Agree } else { disagree() }
+    match (explained, same) {
+        (true, true) => Verdict::Agree,
+        (true, false) => Verdict::TooClose,
+        (false, _) => disagree(),
+    }
 }
 
 /// Endings that can't both be true of one case are of different kinds.
@@ -210,15 +217,6 @@ fn kind(ending: Ending) -> Kind {
         Ending::LimitReached(Limit::Impacts) => Kind::Unknown,
         Ending::Lost(Loss::FellThrough | Loss::Stalled | Loss::NotFinite | Loss::SolverFailed) => Kind::Unknown,
     }
-}
-
-/// Whether one history may be complete and the other incomplete because the chattering time is nearer to the end of the half period than
-/// the claims can tell.
-fn is_too_close(case: &Case, complete: &Observed, rocking: &Observed, gap: Option<&ModelGap>) -> bool {
-    let Some(time) = complete.chattering_time else { return false };
-    let theirs = rocking.history.impacts.last().map_or(0.0, |last| last.uncertainty.time);
-    let left = horizon(case) - time.value;
-    left <= time.uncertainty + theirs + slack(Observable::ChatteringTime, 0, gap)
 }
 
 /// The end of the time that a case is followed.

@@ -3,7 +3,11 @@
 use contract::{Case, Invalid};
 use serde::{Deserialize, Serialize};
 
-use crate::{case_file::CaseFields, examine::Fault, hex_float, report};
+use crate::{
+    case_file::{self, CaseFields},
+    examine::Fault,
+    hex_float, report,
+};
 
 /// A stored disagreement.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,10 +44,10 @@ pub struct Exact {
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
     /// It is not TOML of the right form.
-    #[error("replay file: {}", .0.message().replace('\n', " "))]
-    Form(#[from] toml::de::Error),
+    #[error("not a replay file: {0}")]
+    Form(String),
     /// A value is not allowed.
-    #[error("replay file: {0}")]
+    #[error(transparent)]
     Value(#[from] Invalid),
 }
 
@@ -80,7 +84,7 @@ impl Replay {
     /// # Errors
     /// When it is not a replay file, a value is not allowed, or the decimal and the exact numbers differ.
     pub fn read(text: &str) -> Result<(Self, Case), ReplayError> {
-        let replay: Self = toml::from_str(text)?;
+        let replay: Self = toml::from_str(text).map_err(|error| ReplayError::Form(case_file::one_line(&error)))?;
         let case = replay.case.case()?;
         let same = |field, exact: &str, decimal: f64| match hex_float::parse(exact) {
             Some(value) if value.to_bits() == decimal.to_bits() => Ok(()),

@@ -1,9 +1,9 @@
 //! The curated cases in `data/cases`.
 
 use contract::{Case, Invalid};
-use serde::{Deserialize, de::Error as _};
+use serde::Deserialize;
 
-use crate::case_file::CaseFields;
+use crate::case_file::{CaseFields, one_line};
 
 /// A case of a list.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,15 +20,15 @@ pub struct Listed {
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
     /// It is not TOML of the right form.
-    #[error("{}", first_line(.0))]
-    Form(#[from] toml::de::Error),
+    #[error("not a list of cases: {0}")]
+    Form(String),
     /// A case has unknown keys, or lacks one.
-    #[error("case {name}: {}", first_line(.error))]
+    #[error("case {name}: {wrong}")]
     Entry {
         /// The name of the case.
         name: String,
         /// What is wrong with it.
-        error: toml::de::Error,
+        wrong: String,
     },
     /// A value of a case is not allowed.
     #[error("case {name}: {invalid}")]
@@ -43,11 +43,6 @@ pub enum LoadError {
     Twice(String),
 }
 
-/// The parser's message without its picture of the file.
-fn first_line(error: &toml::de::Error) -> String {
-    error.message().replace('\n', " ")
-}
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
@@ -59,16 +54,17 @@ struct File {
 /// # Errors
 /// When the text is not a list, a value is not allowed, or a name comes twice.
 pub fn read(text: &str) -> Result<Vec<Listed>, LoadError> {
-    let file: File = toml::from_str(text)?;
+    let file: File = toml::from_str(text).map_err(|error| LoadError::Form(one_line(&error)))?;
     let mut cases: Vec<Listed> = Vec::with_capacity(file.case.len());
     for mut entry in file.case {
         let mut text = |key: &str| match entry.remove(key) {
             Some(toml::Value::String(text)) => Ok(text),
-            _ => Err(toml::de::Error::custom(format!("a case needs the string `{key}`"))),
+            _ => Err(LoadError::Form(format!("a case needs the string `{key}`"))),
         };
         let (name, why) = (text("name")?, text("why")?);
         // What is left must be a case and nothing else; flattening it into one struct would let unknown keys pass.
-        let fields: CaseFields = entry.try_into().map_err(|error| LoadError::Entry { name: name.clone(), error })?;
+        let fields: CaseFields =
+            entry.try_into().map_err(|error| LoadError::Entry { name: name.clone(), wrong: one_line(&error) })?;
         if cases.iter().any(|listed| listed.name == name) {
             return Err(LoadError::Twice(name));
         }
