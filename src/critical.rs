@@ -28,6 +28,8 @@ pub fn eq77(eta: f64) -> f64 {
 pub fn bracket(oracle: &dyn Oracle, omega: f64, eta: f64) -> Result<Option<(f64, f64)>, Invalid> {
     /// So near to the critical amplitude that the next double is on its other side, thousands of impacts decide.
     const IMPACTS: usize = 20_000;
+    /// No frequency in use has its critical amplitude this near to the threshold.
+    const SMALLEST: f64 = 1e-12;
     let is_complete = |epsilon: f64| -> Result<Option<bool>, Invalid> {
         let case = Case::from_epsilon(epsilon, omega, eta)?.with_max_impacts(IMPACTS)?;
         Ok(match oracle.history(&case).map(|history| history.ending) {
@@ -40,10 +42,17 @@ pub fn bracket(oracle: &dyn Oracle, omega: f64, eta: f64) -> Result<Option<(f64,
     if is_complete(high)? != Some(false) {
         return Ok(None);
     }
-    // Bisection by the logarithm first: a_cr - 1 may be small.
-    let mut guess = 1e-2;
+    // a_cr - 1 may be small: come down by decades to the first complete case, then bisect.
+    while low == 0.0 {
+        let lower = 0.1 * high;
+        match is_complete(lower)? {
+            Some(true) => low = lower,
+            Some(false) if lower > SMALLEST => high = lower,
+            _ => return Ok(None),
+        }
+    }
     loop {
-        let middle = if low == 0.0 { guess } else { 0.5 * (low + high) };
+        let middle = 0.5 * (low + high);
         if !(middle > low && middle < high) {
             return Ok(Some((low, high)));
         }
@@ -51,10 +60,6 @@ pub fn bracket(oracle: &dyn Oracle, omega: f64, eta: f64) -> Result<Option<(f64,
             Some(true) => low = middle,
             Some(false) => high = middle,
             None => return Ok(None),
-        }
-        guess *= 0.01;
-        if guess < 1e-50 {
-            return Ok(None);
         }
     }
 }

@@ -10,8 +10,15 @@ use contract::{Estimate, History, Impact};
 /// No sequence has gained from more columns than this.
 const MOST_COLUMNS: usize = 24;
 
+/// How many flights are left out.
+const FIRST_FLIGHTS: usize = 4;
+
+/// How a change from one column to the next becomes the error that is claimed: its own multiple, and that of the change before it. Few
+/// impacts near the critical amplitude need the latter, where the columns stop getting better and the last change is small by accident.
+const SAFETY: (f64, f64) = (3.0, 1.0);
+
 /// The chattering time by the best column of the table, with the error that its last two columns and the claims of the oracle suggest.
-/// `None` with fewer than four impacts.
+/// `None` with fewer than two impacts.
 pub fn close(history: &History, eta: f64) -> Option<Estimate> {
     if let Some(own) = history.chattering_time {
         return Some(own);
@@ -29,25 +36,27 @@ pub fn eq75(history: &History, eta: f64) -> Option<f64> {
     Some(last.time + eta * eta / (1.0 - eta * eta) * difference)
 }
 
-/// `τ_n - τ_{n-2}` for every second impact counted back from the last, in order of time, with the error claimed for it.
+/// `τ_n - τ_{n-2}` for every second impact counted back from the last, in order of time, with the error claimed for it. The first four
+/// flights are left out if there are others: the first, from rest, is not of the map whose expansion this is.
 fn pair_differences(impacts: &[Impact]) -> Vec<(f64, f64)> {
     let pair = |pair: &[Impact]| {
         let error = |impact: &Impact| impact.interval * impact.uncertainty.interval.max(f64::EPSILON);
         let sum = pair.iter().map(|impact| impact.interval).sum();
         (pair.len() == 2).then(|| (sum, pair.iter().map(error).sum()))
     };
-    let mut pairs: Vec<_> = impacts.rchunks(2).take(MOST_COLUMNS + 1).filter_map(pair).collect();
+    let regular = impacts.get(FIRST_FLIGHTS..).filter(|rest| rest.len() >= 4).unwrap_or(impacts);
+    let mut pairs: Vec<_> = regular.rchunks(2).take(MOST_COLUMNS + 1).filter_map(pair).collect();
     pairs.reverse();
     pairs
 }
 
-/// The value in each column at the last impact, and its estimated error: how much the column changed the value (or a twentieth of what
-/// the one before it did, should the change vanish by accident), and the claimed errors as the extrapolation magnifies them.
+/// The value in each column at the last impact, and its estimated error: from how much the column and the one before it changed the value,
+/// and the claimed errors of the intervals as the extrapolation magnifies them.
 fn columns(pairs: &[(f64, f64)], time: f64, eta: f64) -> impl Iterator<Item = Estimate> {
     let mut row = pairs.to_vec();
     let mut value = time;
     let mut power = 1.0;
-    let mut last_change = f64::INFINITY;
+    let mut last_change = 0.0;
     let mut noise = 0.0;
     std::iter::from_fn(move || {
         let &(difference, error) = row.last()?;
@@ -55,7 +64,7 @@ fn columns(pairs: &[(f64, f64)], time: f64, eta: f64) -> impl Iterator<Item = Es
         let change = power / (1.0 - power) * difference;
         value += change;
         noise += power / (1.0 - power) * error;
-        let uncertainty = change.abs().max(0.05 * last_change) + noise;
+        let uncertainty = f64::max(SAFETY.0 * change.abs(), SAFETY.1 * last_change) + noise;
         last_change = change.abs();
         row = row
             .windows(2)
@@ -68,5 +77,4 @@ fn columns(pairs: &[(f64, f64)], time: f64, eta: f64) -> impl Iterator<Item = Es
             .collect();
         Some(Estimate { value, uncertainty })
     })
-    .skip(1)
 }

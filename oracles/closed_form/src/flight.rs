@@ -2,7 +2,7 @@
 
 use crate::{
     UNIT,
-    flow::{Flow, Motion, Sums},
+    flow::{Flow, Motion},
     forcing::{Excitation, Forcing},
     march,
     twofold::Twofold,
@@ -45,9 +45,9 @@ pub(crate) struct Landing {
     pub gain: f64,
     /// `u'` at the impact.
     pub velocity: f64,
-    /// `u''` at the impact.
-    pub acceleration: f64,
-    /// `sinh`, `cosh` of the interval: the derivatives of `u`, `u'` by the speed at the start.
+    /// `u'' - 2u'/s` at the impact: zero on a parabola.
+    pub off_parabola: f64,
+    /// The derivatives of `u` and `u'` by the speed at the start: `sinh` and `cosh` of the interval.
     pub by_speed: (f64, f64),
     /// The derivatives of `u` and `u'` by the time of the start.
     pub by_time: (f64, f64),
@@ -58,6 +58,13 @@ pub(crate) struct Landing {
 /// How often a step of Newton's method is tried before the flight is marched through instead.
 const NEWTON_STEPS: usize = 12;
 
+/// The step of Newton's method from `s` towards a root of `h`, relative to `s`, with Halley's correction.
+fn step(motion: &Motion) -> f64 {
+    let inverse = 1.0 / motion.slope;
+    let newton = -motion.deflated * inverse;
+    newton * (1.0 - 0.5 * newton * motion.bend * inverse)
+}
+
 impl Takeoff<'_> {
     /// Follows the flight to its first impact.
     ///
@@ -65,46 +72,34 @@ impl Takeoff<'_> {
     /// grazing flights, is marched through in steps that cannot pass a root.
     pub fn fly(&self) -> Outcome {
         match self.newton() {
-            Some((sums, landing)) if landing.interval <= self.horizon && self.is_first(landing.interval, &sums) => {
+            Some(landing) if landing.interval <= self.horizon && self.is_first(&landing) => {
                 Outcome::Landing(landing)
             }
             _ => march::fly(self),
         }
     }
 
-    /// The root of `h = u/s` (of `u/s³` at initiation) that Newton's method reaches, if it reaches one.
-    fn newton(&self) -> Option<(Sums, Landing)> {
-        let Forcing { acceleration, jerk, snap, .. } = self.forcing;
-        let smallest = 1e-16 * self.flow.longest() * self.flow.longest();
+    /// The root of `h = u/s` (of `u/s³` at initiation) that Newton's method, with Halley's correction, reaches, if it reaches one.
+    fn newton(&self) -> Option<Landing> {
         let mut s = self.first_guess();
+        s += s * step(&self.flow.after_impact_roughly(s, self.speed, &self.forcing));
         for _ in 0..NEWTON_STEPS {
             if !(s > 0.0 && s <= self.flow.longest()) {
                 return None;
             }
-            let (sums, motion) = self.at(s);
-            // s h' = u' - h; a root is crossed downwards.
-            let slope = motion.velocity - motion.deflated;
-            if slope.is_nan() || slope >= 0.0 {
+            let motion = self.flow.after_impact(s, self.speed, &self.forcing);
+            // A root is crossed downwards.
+            if motion.slope.is_nan() || motion.slope >= 0.0 {
                 return None;
             }
-            // Halley's correction, with s² h'' to its lowest orders, makes the next error the cube of this step.
-            let newton = -motion.deflated / slope;
-            let bend = s * s * ((self.speed + jerk) / 3.0 + 0.25 * s * (acceleration + snap));
-            let step = newton * (1.0 - 0.5 * newton * bend / slope);
+            let step = step(&motion);
             s += s * step;
-            // The gain is wanted at the root itself; its slope carries it over a small step if the flight is short.
-            if step.abs() <= 1e-8 && step.abs() * s * s <= smallest {
-                let motion = Motion { gain: motion.gain + step * motion.gain_slope, ..motion };
-                return Some((sums, self.landing(s, &sums, &motion)));
+            // The gain is wanted at the root itself; its slope carries it over a small step.
+            if step.abs() <= 1e-8 {
+                return Some(self.landing(s, motion.gain + step * motion.bend, motion.bend));
             }
         }
         None
-    }
-
-    /// The motion at local time `s`.
-    fn at(&self, s: f64) -> (Sums, Motion) {
-        let sums = self.flow.sums(s);
-        (sums, sums.after_impact(self.speed, &self.forcing))
     }
 
     /// Where Newton's method starts.
@@ -113,19 +108,25 @@ impl Takeoff<'_> {
         if self.speed == 0.0 {
             return -4.0 * jerk / snap; // Eq. 31 in u: j s³/6 + k s⁴/24 = 0
         }
-        let parabola = -2.0 * self.speed / acceleration;
-        // j s/3b is the first correction to the parabola; where it is large the last flight of the same sign is a better guess.
-        let correction = jerk * parabola / (3.0 * acceleration);
+        let inverse = 1.0 / acceleration;
+        let parabola = -2.0 * self.speed * inverse;
+        // In t = s/parabola the flight is 0 = 1 - t + e t² + d t³ + ..., with the corrections
+        let e = -(self.speed + jerk) * parabola * inverse * (1.0 / 3.0);
+        let d = -(acceleration + snap) * parabola * parabola * inverse * (1.0 / 12.0);
         match self.guess {
-            // The root of 1 - t + e t² with e the correction: t = 1 - e + 2 e² - ...
-            _ if parabola > 0.0 && correction.abs() < 0.25 => parabola * (1.0 - correction * (1.0 - 2.0 * correction)),
+            // and by Lagrange's inversion t = 1 + e + d + 2 e² + 5 e d + 3 d² + 5 e³ + ... where they are small; where they are
+            // not, the last flight of the same sign is a better guess.
+            _ if parabola > 0.0 && e.abs() < 0.2 => {
+                parabola * (1.0 + e * (1.0 + e * (2.0 + e * (5.0 + 14.0 * e))) + d * (1.0 + 3.0 * d + e * (5.0 + 21.0 * e)))
+            }
             Some(guess) => guess,
             None => parabola,
         }
     }
 
-    /// Whether `u` has no zero between the start and the root at the end of `sums`, proven in one of two ways.
-    fn is_first(&self, s: f64, sums: &Sums) -> bool {
+    /// Whether `u` has no zero between the start and this landing, proven in one of two ways.
+    fn is_first(&self, landing: &Landing) -> bool {
+        let Landing { interval: s, by_speed: (sinh, cosh), .. } = *landing;
         let Forcing { acceleration, jerk, snap, .. } = self.forcing;
         let Excitation { amplitude, omega, .. } = *self.excitation;
         // On the flight the jerk of the forcing stays within its value now and these two bounds.
@@ -139,7 +140,7 @@ impl Takeoff<'_> {
         // (2) u'''' = u - ω² - (ω² - 1) b(s) < 0 throughout, with b(s) = -1 - i f: by Budan and Fourier there are no more zeros
         // than sign changes in u', u'', u''', u'''' at the start. There is one unless u'' < 0 < u'''.
         let bound = self.excitation.largest_acceleration();
-        let height = self.speed * sums.sinh() + bound * (sums.cosh() - 1.0).max(0.0);
+        let height = self.speed * sinh + bound * (cosh - 1.0);
         let lowest = (acceleration - s * fall).max(-1.0 - amplitude);
         let squared = omega * omega;
         let drive = if squared >= 1.0 { (squared - 1.0) * -lowest.min(0.0) } else { (1.0 - squared) * bound };
@@ -147,25 +148,34 @@ impl Takeoff<'_> {
     }
 
     /// What is known at the impact.
-    fn landing(&self, interval: f64, sums: &Sums, motion: &Motion) -> Landing {
+    fn landing(&self, interval: f64, gain: f64, bend: f64) -> Landing {
         let Forcing { acceleration, jerk, snap, rounding } = self.forcing;
-        let velocity = motion.gain - self.speed;
-        let tilt = sums.tilt(&self.forcing);
-        let (sinh, cosh) = (sums.sinh(), sums.cosh());
-        // u'' = d/ds of u' = v cosh s + b sinh s + tilt; the last part's derivative to the order that a bound needs.
-        let turn = interval * (jerk + 0.5 * interval * snap);
+        let (s, z) = (interval, interval * interval);
+        let velocity = gain - self.speed;
+        // The derivatives bound errors: two or three terms of their series are enough, the last of them enlarged in `sinh` and
+        // `cosh`, which so are upper bounds for s <= 2.
+        let sinh = s * (1.0 + z * (1.0 / 6.0 + z * (1.0 / 108.0)));
+        let cosh = 1.0 + z * (0.5 + z * (1.0 / 24.0 + z * (1.0 / 660.0)));
+        let q = 1.0 - self.excitation.omega * self.excitation.omega;
+        let tilt = z * (jerk * (0.5 + q * z * (1.0 / 24.0)) + s * snap * (1.0 / 6.0 + q * z * (1.0 / 120.0)));
+        let turn = s * (jerk * (1.0 + q * z * (1.0 / 6.0)) + s * snap * (0.5 + q * z * (1.0 / 24.0)));
+        // The sizes of the terms that h and the gain are the sums of.
+        let (pull, push) = (acceleration.abs(), jerk.abs());
+        let size = self.speed + s * (0.5 * pull + s * (push + 0.25 * s * snap.abs()) * (1.0 / 6.0));
+        let gain_size = z * (self.speed + push + 0.5 * s * (pull + snap.abs())) * (1.0 / 6.0);
         // An error of the forcing moves u by db s²/2 + dj s³/6, and the gain by db s³/12 + dj s²/6 at the most.
-        let from_jerk = rounding.1 * interval * interval / 6.0;
-        let deflated = 2.0 * motion.size + 0.5 * interval * rounding.0 + from_jerk;
-        let gain = 2.0 * motion.gain_size + interval.powi(3) * rounding.0 / 12.0 + from_jerk;
+        let from_jerk = rounding.1 * z / 6.0;
+        let rotation_error = 2.0 * size + 0.5 * s * rounding.0 + from_jerk;
+        let gain_error = 2.0 * gain_size + s * z * rounding.0 / 12.0 + from_jerk;
         Landing {
             interval,
-            gain: motion.gain,
+            gain,
             velocity,
-            acceleration: self.speed * sinh + acceleration * cosh + turn,
+            // u'' = s h'' + 2 h', and s h' = u' at the impact
+            off_parabola: bend / s,
             by_speed: (sinh, cosh),
             by_time: (tilt, turn),
-            rounding: (UNIT * interval * (deflated / velocity.abs() + 1.0), UNIT * gain),
+            rounding: (UNIT * s * (rotation_error / velocity.abs() + 1.0), UNIT * gain_error),
         }
     }
 }

@@ -1,58 +1,62 @@
 //! The exact solution of `u'' = u - 1 - i f` over a stretch of local time `s`, free of cancellation however short it is.
 //!
-//! Eq. 6 in absolute time subtracts numbers of order 1 to get a rotation of order `v²`. Written in local time with the values
-//! at the start of the stretch, the same solution is (`u₀`, `v` rotation and velocity; `b`, `j`, `k` acceleration, jerk and snap
-//! of the forcing; `z = s²`)
+//! Eq. 6 in absolute time subtracts numbers of order 1 to get a rotation of order `v²`. In local time the same solution is its
+//! Taylor series. The equation itself gives every derivative at the start from the first few (`v` velocity, `c` acceleration; `j`,
+//! `k` jerk and snap of the forcing; the next derivatives of the forcing are `-ω² j`, `-ω² k`, `ω⁴ j`, ...):
 //!
 //! ```text
-//! u  = u₀ cosh s + v s S(z) + b s² A(z) + j s³ C(z) + k s⁴ D(z)
-//! S = Σ z^m/(2m+1)!   A = Σ z^m/(2m+2)!   C = Σ q_{m+1} z^m/(2m+3)!   D = Σ q_{m+1} z^m/(2m+4)!
-//! q_1 = 1,  q_{m+1} = 1 - ω² q_m
+//! u^(2m+1) = v + q_m j   u^(2m+2) = c + q_m k   q_0 = 0,  q_{m+1} = 1 - ω² q_m
+//! u = u₀ + v s + c s²/2 + s³ (O(z) + s E(z))   z = s²
+//! O = Σ u^(2m+1)/(2m+1)! z^(m-1)   E = Σ u^(2m+2)/(2m+2)! z^(m-1)   from m = 1
 //! ```
 //!
-//! which follows from `(cosh s - cos ωs)/(1 + ω²) = Σ q_m s^{2m}/(2m)!`. With `u₀ = 0`, after an impact, the factor `s` is divided
-//! out exactly: `h = u/s` keeps its relative accuracy down to the smallest double. The velocity needs the same care. Eq. 68 says that
-//! a flight lands with the speed it left with; what it lands with beyond that has series of its own, from `u' - 2h`,
+//! After an impact `u₀ = 0`, and the factor `s` is divided out exactly: `h = u/s` keeps its relative accuracy down to the smallest
+//! double. The velocity needs the same care. Eq. 68 says that a flight lands with the speed it left with; what it lands with beyond
+//! that is small, and is summed by itself:
 //!
 //! ```text
-//! u' = 2h - v + v z P(z) + b s z Q(z) + j s² R(z) + k s³ V(z)
-//! P = Σ (2m+1) z^m/(2m+3)!   Q = Σ (2m+2) z^m/(2m+4)!   R = Σ q_{m+1} (2m+1) z^m/(2m+3)!   V = Σ q_{m+1} (2m+2) z^m/(2m+4)!
+//! gain = u' - 2h + v = z (O + 2z O' + s (2E + 2z E'))
+//! s h' = gain - v + h
+//! s² h'' = s gain' = z (2O + 10z O' + 4z² O'' + s (6E + 14z E' + 4z² E''))
 //! ```
 //!
-//! so at the impact, `h = 0`, the small part is computed by itself and no rounding error builds up over thousands of flights.
+//! so at the impact, `h = 0`, no rounding error builds up over thousands of flights.
 
 use crate::forcing::Forcing;
 
-/// How many terms of the series are held; enough for `max(1, ω) s` up to [`Flow::REACH`].
-const TERMS: usize = 14;
+/// How many terms of `O` and `E` are held.
+const TERMS: usize = 11;
 
-/// `1/n!`.
-const INVERSE_FACTORIAL: [f64; 2 * TERMS + 3] = {
-    let mut table = [1.0; 2 * TERMS + 3];
-    let mut factorial = 1.0;
-    let mut n = 1;
-    while n < table.len() {
-        factorial *= n as f64;
-        table[n] = 1.0 / factorial;
-        n += 1;
-    }
-    table
-};
+/// How many terms are enough up to which `max(1, ω) s`; beyond, all are summed. The first term left out of `gain` is of order
+/// `6 (2n+1)/(2n+3)! x^(2n)` relative to what is kept, and below 1e-16. Few ranges, as each is a branch that may be mispredicted.
+const FEW: (usize, f64) = (3, 9e-3);
+const SOME: (usize, f64) = (6, 0.32);
+
+/// The coefficients of `z^(m-1)`, each for `O` and for `E`.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    /// `1/(2m+1)!` and `1/(2m+2)!`, of `v` and of `c`.
+    free: [f64; 2],
+    /// The same times `q_m`, of `j` and of `k`.
+    forced: [f64; 2],
+}
 
 /// The series of one `ω`.
 #[derive(Debug, Clone)]
 pub(crate) struct Flow {
     /// `max(1, ω)`: what a stretch is long or short against.
     rate: f64,
-    /// The coefficients of `z^m`, lowest order first: of S, A, P, Q, C, D, R and V.
-    rows: [[f64; 8]; TERMS],
+    /// The coefficients, lowest order first.
+    rows: [Row; TERMS],
 }
 
-/// The eight sums at one `s`.
+/// `O` and `E` at one `s`, with their derivatives.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sums {
-    s: f64,
-    row: [f64; 8],
+struct Sums {
+    value: [f64; 2],
+    slope: [f64; 2],
+    /// Half the second derivative.
+    bend: [f64; 2],
 }
 
 /// How a flight stands at one local time.
@@ -60,31 +64,27 @@ pub(crate) struct Sums {
 pub(crate) struct Motion {
     /// `h = u/s`.
     pub deflated: f64,
-    /// The size of the terms that `h` is the sum of.
-    pub size: f64,
-    /// `u'`.
-    pub velocity: f64,
+    /// `s h'`.
+    pub slope: f64,
+    /// `s² h''`, which is `s` times the derivative of the gain.
+    pub bend: f64,
     /// `u' - 2h + v`, which at the impact is `u' + v`: how much slower the flight lands than it left.
     pub gain: f64,
-    /// `s` times the derivative of `gain`, but for terms smaller by `(max(1, ω) s)²`.
-    pub gain_slope: f64,
-    /// The size of the terms that `gain` is the sum of.
-    pub gain_size: f64,
 }
 
 impl Flow {
-    /// The series are summed for `max(1, ω) s` up to here; their terms have fallen below 1e-17 by then.
+    /// The series are summed for `max(1, ω) s` up to here.
     pub const REACH: f64 = 2.0;
 
-    #[allow(clippy::indexing_slicing)] // all indices are below the constant length of the tables
     pub fn new(omega: f64) -> Self {
-        let mut q = 1.0;
-        let rows = core::array::from_fn(|m| {
-            let inverse = &INVERSE_FACTORIAL[2 * m + 1..2 * m + 5];
-            let (odd, even) = ((2 * m + 1) as f64, (2 * m + 2) as f64);
-            let (c, d) = (q * inverse[2], q * inverse[3]);
+        let (mut q, mut inverse_factorial) = (1.0, 0.5); // q_1, 1/2!
+        let rows = core::array::from_fn(|index| {
+            let n = (2 * index + 3) as f64;
+            let free = [inverse_factorial / n, inverse_factorial / (n * (n + 1.0))];
+            let forced = free.map(|coefficient| q * coefficient);
             q = 1.0 - omega * omega * q;
-            [inverse[0], inverse[1], odd * inverse[2], even * inverse[3], c, d, odd * c, even * d]
+            [_, inverse_factorial] = free;
+            Row { free, forced }
         });
         Self { rate: omega.max(1.0), rows }
     }
@@ -94,79 +94,62 @@ impl Flow {
         Self::REACH / self.rate
     }
 
-    /// Sums the series at `s`, at most [`Flow::longest`], with no more terms than it needs.
-    pub fn sums(&self, s: f64) -> Sums {
-        let z = s * s;
-        // What is left out is of order x^(2 terms)/(2 terms + 1)! relative to 1, below 1e-16 at the right end of each range.
-        let terms = match self.rate * s {
-            x if x < 1e-8 => 1,
-            x if x < 3e-4 => 2,
-            x if x < 6e-3 => 3,
-            x if x < 0.1 => 5,
-            x if x < 0.5 => 8,
-            x if x < 1.1 => 10,
-            _ => TERMS,
-        };
-        let mut row = [0.0; 8];
-        for coefficients in self.rows.iter().take(terms).rev() {
-            for (sum, coefficient) in row.iter_mut().zip(coefficients) {
-                *sum = *sum * z + coefficient;
-            }
-        }
-        Sums { s, row }
+    /// The motion `s` after leaving the base with `velocity`.
+    pub fn after_impact(&self, s: f64, velocity: f64, forcing: &Forcing) -> Motion {
+        Motion::after_impact(s, velocity, forcing, self.sums(s, [velocity, forcing.acceleration], forcing))
     }
-}
 
-impl Sums {
-    /// The motion of a flight that left the base with `velocity`, at this local time.
-    pub fn after_impact(&self, velocity: f64, forcing: &Forcing) -> Motion {
-        let [s1, s2, p, q, c, d, r, v] = self.row;
-        let Self { s, .. } = *self;
-        let Forcing { acceleration, jerk, snap, .. } = *forcing;
-        let free = (velocity * s1, s * acceleration * s2);
-        let forced = (jerk * c, s * snap * d);
-        let deflated = free.0 + (free.1 + s * s * (forced.0 + forced.1));
-        let gains = (velocity * p, s * acceleration * q, jerk * r, s * snap * v);
-        let (square, cube) = (gains.0 + gains.2, gains.1 + gains.3);
-        let gain = s * s * (square + cube);
-        Motion {
-            deflated,
-            size: free.0.abs() + free.1.abs() + s * s * (forced.0.abs() + forced.1.abs()),
-            velocity: (2.0 * deflated - velocity) + gain,
-            gain,
-            gain_slope: s * s * (2.0 * square + 3.0 * cube),
-            gain_size: s * s * (gains.0.abs() + gains.1.abs() + (gains.2.abs() + gains.3.abs())),
-        }
+    /// The same from a few terms, good for a first step of Newton's method.
+    pub fn after_impact_roughly(&self, s: f64, velocity: f64, forcing: &Forcing) -> Motion {
+        let sums = self.first_terms::<{ FEW.0 }>(s, [velocity, forcing.acceleration], forcing);
+        Motion::after_impact(s, velocity, forcing, sums)
     }
 
     /// The rotation and velocity a stretch later, from those at its start.
-    pub fn advance(&self, (rotation, velocity): (f64, f64), forcing: &Forcing) -> (f64, f64) {
-        let [s1, s2, _, _, c, d, _, _] = self.row;
-        let Self { s, .. } = *self;
-        let Forcing { acceleration, jerk, snap, .. } = *forcing;
-        let (sinh, cosh) = (s * s1, self.cosh());
-        let tilt = self.tilt(forcing);
-        let driven = s * s * (acceleration * s2 + s * (jerk * c + s * snap * d));
-        (rotation * cosh + velocity * sinh + driven, rotation * sinh + velocity * cosh + acceleration * sinh + tilt)
+    pub fn advance(&self, s: f64, (rotation, velocity): (f64, f64), forcing: &Forcing) -> (f64, f64) {
+        let acceleration = rotation + forcing.acceleration;
+        let Sums { value: [o, e], slope: [o1, e1], .. } =
+            self.sums(s, [velocity, acceleration], forcing);
+        let z = s * s;
+        (
+            rotation + s * (velocity + (0.5 * s * acceleration + z * (o + s * e))),
+            velocity + (s * acceleration + z * ((3.0 * o + 2.0 * z * o1) + s * (4.0 * e + 2.0 * z * e1))),
+        )
     }
 
-    /// `cosh s = 2S - 1 + zP`.
-    pub fn cosh(&self) -> f64 {
-        let [s1, _, p, ..] = self.row;
-        2.0 * s1 - 1.0 + self.s * self.s * p
+    /// `O`, `E` and their derivatives, from `[v, c]` and the forcing.
+    fn sums(&self, s: f64, start: [f64; 2], forcing: &Forcing) -> Sums {
+        match self.rate * s {
+            x if x < FEW.1 => self.first_terms::<{ FEW.0 }>(s, start, forcing),
+            x if x < SOME.1 => self.first_terms::<{ SOME.0 }>(s, start, forcing),
+            _ => self.first_terms::<TERMS>(s, start, forcing),
+        }
     }
 
-    /// `sinh s`.
-    pub fn sinh(&self) -> f64 {
-        let [s1, ..] = self.row;
-        self.s * s1
+    /// The sums of the first `N` terms, by Horner's rule.
+    fn first_terms<const N: usize>(&self, s: f64, [v, c]: [f64; 2], forcing: &Forcing) -> Sums {
+        let Forcing { jerk, snap, .. } = *forcing;
+        let z = s * s;
+        let (mut value, mut slope, mut bend) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        for Row { free, forced } in self.rows.iter().take(N).rev() {
+            let [odd, even] = [free[0] * v + forced[0] * jerk, free[1] * c + forced[1] * snap];
+            bend = [bend[0] * z + slope[0], bend[1] * z + slope[1]];
+            slope = [slope[0] * z + value[0], slope[1] * z + value[1]];
+            value = [value[0] * z + odd, value[1] * z + even];
+        }
+        Sums { value, slope, bend }
     }
+}
 
-    /// `j s² E + k s³ C`, with `E = Σ q_{m+1} z^m/(2m+2)! = 2C + R`: what the change of the forcing adds to the velocity, and
-    /// how far the rotation moves when the start moves in time.
-    pub fn tilt(&self, forcing: &Forcing) -> f64 {
-        let [_, _, _, _, c, _, r, _] = self.row;
-        self.s * self.s * (forcing.jerk * (2.0 * c + r) + self.s * forcing.snap * c)
+impl Motion {
+    fn after_impact(s: f64, velocity: f64, forcing: &Forcing, sums: Sums) -> Self {
+        let Sums { value: [o, e], slope: [o1, e1], bend: [o2, e2] } = sums;
+        let z = s * s;
+        let deflated = velocity + (0.5 * s * forcing.acceleration + z * (o + s * e));
+        let gain = z * ((o + 2.0 * z * o1) + 2.0 * s * (e + z * e1));
+        let bend =
+            z * ((2.0 * o + z * (10.0 * o1 + 8.0 * z * o2)) + s * (6.0 * e + z * (14.0 * e1 + 8.0 * z * e2)));
+        Self { deflated, slope: (deflated - velocity) + gain, bend, gain }
     }
 }
 
@@ -197,30 +180,30 @@ mod tests {
             let flow = Flow::new(omega);
             for x in [0.3, 0.7, 1.5, 2.0] {
                 let s = x / omega.max(1.0);
-                let sums = flow.sums(s);
                 let expected = eq_6(omega, s, (0.2, 0.5), &forcing);
-                let found = sums.advance((0.2, 0.5), &forcing);
+                let found = flow.advance(s, (0.2, 0.5), &forcing);
                 assert_relative_eq!(found.0, expected.0, max_relative = 1e-13);
                 assert_relative_eq!(found.1, expected.1, max_relative = 1e-13);
                 let expected = eq_6(omega, s, (0.0, 0.5), &forcing);
-                let motion = sums.after_impact(0.5, &forcing);
+                let motion = flow.after_impact(s, 0.5, &forcing);
                 assert_relative_eq!(motion.deflated * s, expected.0, max_relative = 1e-13);
-                assert_relative_eq!(motion.velocity, expected.1, max_relative = 1e-13);
+                assert_relative_eq!(motion.slope + motion.deflated, expected.1, max_relative = 1e-13);
             }
         }
     }
 
     #[test]
     fn fewer_terms_for_a_short_stretch_change_nothing() {
+        let forcing = Forcing { acceleration: -0.7, jerk: 0.4, snap: -1.3, rounding: (0.0, 0.0) };
         for omega in [0.5f64, 3.0, 20.0] {
             let flow = Flow::new(omega);
-            for x in [0.9e-8, 2.9e-4, 5.9e-3, 0.099, 0.499, 1.09] {
-                let s = x / omega.max(1.0);
-                let short = flow.sums(s).row;
-                for (column, found) in short.into_iter().enumerate() {
-                    let full = flow.rows.iter().rev().fold(0.0, |sum, row| sum * s * s + row[column]);
-                    assert_relative_eq!(found, full, max_relative = 4e-16);
-                }
+            for x in [FEW.1, SOME.1] {
+                let s = 0.999 * x / omega.max(1.0);
+                let short = flow.after_impact(s, 0.25 * s, &forcing);
+                let all = flow.first_terms::<TERMS>(s, [0.25 * s, forcing.acceleration], &forcing);
+                let full = Motion::after_impact(s, 0.25 * s, &forcing, all);
+                assert_relative_eq!(short.deflated, full.deflated, epsilon = 4e-16 * s, max_relative = 4e-16);
+                assert_relative_eq!(short.gain, full.gain, max_relative = 4e-16);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The forcing of Eq. 4 at one instant, seen from one side of the base.
 
-use crate::twofold::Twofold;
+use crate::twofold::{Split, Twofold};
 
 /// The excitation `f(τ) = a sin(ωτ + ψ)` with the phase of Eq. 12, as `a sin ψ = 1` and `a cos ψ = sqrt(2ε + ε²)` (Eq. 24):
 /// the phase itself is never formed.
@@ -11,6 +11,7 @@ pub(crate) struct Excitation {
     /// `a cos ψ = sqrt(ε(2 + ε))`.
     pub cosine: f64,
     epsilon: f64,
+    half_omega: Split,
 }
 
 /// What drives the distance from the base, `u = i φ`, at one instant: `u'' = u - 1 - i f` and the derivatives of its forcing.
@@ -35,12 +36,18 @@ pub(crate) struct HalfPhase {
 
 impl Excitation {
     pub fn new(epsilon: f64, omega: f64) -> Self {
-        Self { amplitude: 1.0 + epsilon, omega, cosine: (epsilon * (2.0 + epsilon)).sqrt(), epsilon }
+        Self {
+            amplitude: 1.0 + epsilon,
+            omega,
+            cosine: (epsilon * (2.0 + epsilon)).sqrt(),
+            epsilon,
+            half_omega: Split::new(0.5 * omega),
+        }
     }
 
     /// Half the phase at `time`; the error of rounding `ωτ/2` is put back.
     pub fn half_phase(&self, time: Twofold) -> HalfPhase {
-        let phase = time.times(0.5 * self.omega);
+        let phase = time.times(self.half_omega);
         let (sin, cos) = phase.high.sin_cos();
         HalfPhase { sin: sin + phase.low * cos, cos: cos - phase.low * sin }
     }

@@ -26,7 +26,7 @@ pub(crate) fn fly(takeoff: &Takeoff) -> Outcome {
         // At initiation u, u', u'' vanish, and u'''' >= -1 - |ω² - 1| a: half of 4 j over that is before the first root.
         let clear = 2.0 * forcing.jerk / (1.0 + (omega * omega - 1.0).abs() * amplitude);
         let step = clear.min(longest);
-        state = flow.sums(step).advance(state, &here);
+        state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
         here = excitation.forcing(sign, excitation.half_phase(time.plus(step)));
     }
@@ -46,13 +46,13 @@ pub(crate) fn fly(takeoff: &Takeoff) -> Outcome {
         });
         let arrived = rotation <= 0.0 && elapsed.high > 0.0;
         if arrived || step <= 0.25 * f64::EPSILON * elapsed.high {
-            return Outcome::Landing(land(takeoff, elapsed.high, state, here.acceleration));
+            return Outcome::Landing(land(takeoff, elapsed.value(), state, here.acceleration));
         }
-        state = flow.sums(step).advance(state, &here);
+        state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
         here = excitation.forcing(
             sign,
-            excitation.half_phase(Twofold::sum(time.high, elapsed.high).plus(time.low).plus(elapsed.low)),
+            excitation.half_phase(time.plus(elapsed.high).plus(elapsed.low)),
         );
     }
     Outcome::Stuck
@@ -92,7 +92,7 @@ fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), forced: f64
         interval,
         gain: velocity + speed,
         velocity,
-        acceleration: forced,
+        off_parabola: forced - 2.0 * velocity / interval,
         by_speed: (sinh, cosh),
         by_time,
         rounding: (

@@ -7,7 +7,7 @@ use crate::{
     flight::{Landing, Outcome, Takeoff},
     flow::Flow,
     forcing::{Excitation, Forcing, HalfPhase},
-    twofold::Twofold,
+    twofold::{Split, Twofold},
 };
 
 /// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
@@ -37,6 +37,8 @@ pub(crate) fn follow(case: &Case) -> History {
     let mut forcing = excitation.forcing(sign, HalfPhase { sin: 0.0, cos: 1.0 });
     let mut errors = Errors { time: 0.0, speed: 0.0 };
     let mut guesses = [None, None];
+    let eta = Split::new(case.eta());
+    let completeness = Completeness::new(&excitation, case.eta());
     let mut complete = false;
     let ending = loop {
         let [guess, other] = guesses;
@@ -45,10 +47,10 @@ pub(crate) fn follow(case: &Case) -> History {
             flow: &flow,
             time,
             sign,
-            speed: speed.high,
+            speed: speed.value(),
             forcing,
             guess,
-            horizon: horizon - time.high,
+            horizon: horizon - time.value(),
         };
         let landing = match takeoff.fly() {
             Outcome::Landing(landing) => landing,
@@ -59,31 +61,33 @@ pub(crate) fn follow(case: &Case) -> History {
         time = time.plus(landing.interval);
         let half = excitation.half_phase(time);
         // At T/2 half the phase is π/2: its cosine tells on which side of it an impact lies that the time alone can't tell from it.
+        let now = time.value();
         let past = case.horizon() == Horizon::HalfPeriod && half.cos <= 0.0;
-        if past || time.high >= horizon {
+        if past || now >= horizon {
             break beyond;
         }
         let interval_error;
         (errors, interval_error) = inherit(&takeoff, &landing, errors, case.eta());
-        speed = speed.plus(-landing.gain).times(case.eta());
+        speed = speed.plus(-landing.gain).times(eta);
         sign = -sign;
         forcing = excitation.forcing(sign, half);
-        if !(landing.interval > 0.0 && speed.high >= 0.0 && time.high.is_finite()) {
+        let departure = speed.value();
+        if !(landing.interval > 0.0 && departure >= 0.0 && now.is_finite()) {
             break Ending::Lost(Loss::NotFinite);
         }
         impacts.push(Impact {
-            time: time.high,
+            time: now,
             interval: landing.interval,
-            velocity: sign * speed.high,
+            velocity: sign * departure,
             uncertainty: Uncertainty {
-                time: errors.time + UNIT * time.high,
+                time: errors.time + UNIT * now,
                 interval: interval_error / landing.interval,
-                velocity: errors.speed / speed.high + UNIT,
+                velocity: errors.speed / departure + UNIT,
             },
         });
         guesses = [other, Some(landing.interval)];
-        complete = complete || is_complete(&excitation, &forcing, speed.high, case.eta());
-        if speed.high < SLOWEST {
+        complete = complete || completeness.holds(&forcing, departure);
+        if departure < SLOWEST {
             break if complete { Ending::AtRest } else { Ending::Lost(Loss::NotFinite) };
         }
         if impacts.len() >= case.max_impacts() {
@@ -101,37 +105,51 @@ fn inherit(takeoff: &Takeoff, landing: &Landing, errors: Errors, eta: f64) -> (E
     let slowness = -1.0 / landing.velocity.min(-f64::MIN_POSITIVE);
     let (interval_by_speed, interval_by_time) = (sinh * slowness, tilt * slowness);
     let (own, own_gain) = landing.rounding;
-    // Moving the impact by ds changes the speed by u'' ds, less what the parabola changes without changing the gain.
-    let off_parabola = landing.acceleration - 2.0 * landing.velocity / landing.interval;
+    let acceleration = landing.off_parabola + 2.0 * landing.velocity / landing.interval;
+    // Moving the impact by ds changes the speed by u'' ds; an error of its own place leaves out what the parabola changes without
+    // changing the gain.
     let inherited = Errors {
         time: (1.0 + interval_by_time).abs() * errors.time
             + interval_by_speed * errors.speed
             + own
             + UNIT * UNIT * takeoff.time.high,
         speed: eta
-            * ((cosh + landing.acceleration * interval_by_speed).abs() * errors.speed
-                + (turn + landing.acceleration * interval_by_time).abs() * errors.time
-                + off_parabola.abs() * own
+            * ((cosh + acceleration * interval_by_speed).abs() * errors.speed
+                + (turn + acceleration * interval_by_time).abs() * errors.time
+                + landing.off_parabola.abs() * own
                 + own_gain
                 + 4.0 * UNIT * UNIT * takeoff.speed),
     };
     (inherited, interval_by_time.abs() * errors.time + interval_by_speed * errors.speed + own)
 }
 
-/// Whether infinitely many impacts are sure to follow and to accumulate while the forcing still holds the block down.
+/// When infinitely many impacts are sure to follow and to accumulate while the forcing still holds the block down.
 ///
 /// In a window of length `r = x g/(2ωa)` after the impact, with `g` the smaller of `1 ± f`, the pull towards the base stays within
-/// a factor `1 ± x` of what it is now, on each side. A flight that leaves with speed `v` then lasts at most `2v/((1 - x) g)`, and the next leaves
-/// with at most `q v`, `q = η sqrt((1 + x)/(1 - x))`. If the geometric sum of them fits into the window, the bounds hold for all.
-fn is_complete(excitation: &Excitation, forcing: &Forcing, speed: f64, eta: f64) -> bool {
-    // (1 - f) + (1 + f) = 2
-    let pull = -forcing.acceleration;
-    let weaker = pull.min(2.0 - pull);
-    // q < 1 for every η. One half of the share is for the change of the forcing, the other for the rotation itself, at most v r.
-    let share = 0.25 * (1.0 - eta * eta);
-    let window = 0.5 * share * weaker / (excitation.omega * excitation.amplitude);
-    let ratio = eta * ((1.0 + share) / (1.0 - share)).sqrt();
-    weaker > 0.0
-        && speed * window <= 0.5 * share * weaker
-        && 2.0 * speed <= window * (1.0 - share) * weaker * (1.0 - ratio)
+/// a factor `1 ± x` of what it is now, on each side: one half of the share `x` is for the change of the forcing, the other for the
+/// rotation itself, at most `v r`, if `v <= ωa`. A flight that leaves with speed `v` then lasts at most `2v/((1 - x) g)`, and the
+/// next leaves with at most `q v`, `q = η sqrt((1 + x)/(1 - x))`. If the geometric sum of them, `2v/((1 - x)(1 - q) g)`, fits into
+/// the window, the bounds hold for all.
+struct Completeness {
+    /// `ωa`.
+    fastest: f64,
+    /// `x (1 - x)(1 - q)/(4ωa)`.
+    factor: f64,
+}
+
+impl Completeness {
+    fn new(excitation: &Excitation, eta: f64) -> Self {
+        let fastest = excitation.omega * excitation.amplitude;
+        let share = 0.25 * (1.0 - eta * eta); // q < 1 for every η
+        let ratio = eta * ((1.0 + share) / (1.0 - share)).sqrt();
+        Self { fastest, factor: share * (1.0 - share) * (1.0 - ratio) / (4.0 * fastest) }
+    }
+
+    /// Whether it is sure after an impact that is left with `speed`.
+    fn holds(&self, forcing: &Forcing, speed: f64) -> bool {
+        // (1 - f) + (1 + f) = 2
+        let pull = -forcing.acceleration;
+        let weaker = pull.min(2.0 - pull);
+        weaker > 0.0 && speed <= self.fastest && speed <= self.factor * weaker * weaker
+    }
 }

@@ -1,7 +1,8 @@
 //! Sums and products whose rounding error is kept (Dekker, Knuth). A time or velocity that is updated thousands of
 //! times is held as an unevaluated sum of two doubles.
 
-/// `high + low`, with `low` at most half a unit in the last place of `high`.
+/// `high + low`, with `low` as large as the rounding errors that it is the sum of. Nothing is carried from it to `high`, which
+/// therefore is known, and can be used, before `low` is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Twofold {
     pub high: f64,
@@ -20,9 +21,9 @@ impl Twofold {
 
     /// The exact product of two doubles that neither overflow nor underflow (Veltkamp's splitting; a fused
     /// multiply-add is a slow call where the machine's baseline lacks it).
-    pub fn product(x: f64, y: f64) -> Self {
-        let (x1, x2) = split(x);
-        let (y1, y2) = split(y);
+    fn product(x: f64, factor: Split) -> Self {
+        let Split { whole: x, high: x1, low: x2 } = Split::new(x);
+        let Split { whole: y, high: y1, low: y2 } = factor;
         let high = x * y;
         Self { high, low: ((x1 * y1 - high) + x1 * y2 + x2 * y1) + x2 * y2 }
     }
@@ -30,22 +31,36 @@ impl Twofold {
     /// This plus a double.
     pub fn plus(self, x: f64) -> Self {
         let sum = Self::sum(self.high, x);
-        Self::sum(sum.high, sum.low + self.low)
+        Self { high: sum.high, low: sum.low + self.low }
     }
 
     /// This times a double.
-    pub fn times(self, x: f64) -> Self {
-        let product = Self::product(self.high, x);
-        Self::sum(product.high, product.low + self.low * x)
+    pub fn times(self, factor: Split) -> Self {
+        let product = Self::product(self.high, factor);
+        Self { high: product.high, low: product.low + self.low * factor.whole }
+    }
+
+    /// The nearest double.
+    pub fn value(self) -> f64 {
+        self.high + self.low
     }
 }
 
-/// `x` as a sum of two doubles of 26 bits each.
-fn split(x: f64) -> (f64, f64) {
-    const FACTOR: f64 = 134_217_729.0; // 2^27 + 1
-    let scaled = FACTOR * x;
-    let high = scaled - (scaled - x);
-    (high, x - high)
+/// A double, and the same as a sum of two doubles of 26 bits each. A factor that is used again and again is split once.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Split {
+    whole: f64,
+    high: f64,
+    low: f64,
+}
+
+impl Split {
+    pub fn new(whole: f64) -> Self {
+        const FACTOR: f64 = 134_217_729.0; // 2^27 + 1
+        let scaled = FACTOR * whole;
+        let high = scaled - (scaled - whole);
+        Self { whole, high, low: whole - high }
+    }
 }
 
 #[cfg(test)]
@@ -57,7 +72,7 @@ mod tests {
         let sum = Twofold::sum(1.0, 1e-20);
         assert_eq!((sum.high, sum.low), (1.0, 1e-20));
         let x = 1.0 + f64::EPSILON;
-        let product = Twofold::product(x, x); // 1 + 2u + u^2 exactly
+        let product = Twofold::product(x, Split::new(x)); // 1 + 2u + u^2 exactly
         assert_eq!((product.high, product.low), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
     }
 }

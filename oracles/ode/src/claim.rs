@@ -108,7 +108,7 @@ pub(crate) fn claim(ode: &Ode, fine: &mut History, coarse: &History, coarser: &H
     let mut roots = 0.0;
     for (((impact, near), far), flights) in fine.impacts.iter_mut().zip(to_coarse).zip(to_coarser).zip(1_u32..) {
         // Where the coarser run is another sequence already it can't show an accident, and there are more of them.
-        let total =
+        let known =
             if far.shape.is_finite() { near.times(much).plus(far.times(little)) } else { near.times(3.0 * much) };
         // A claim as wide as that is a guess.
         let total = if known.shape < DIVERGED { known } else { Difference::UNKNOWN };
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn a_claim_never_falls_again() {
         let found = claims(&[1.0, 0.5, 0.25], &[1.0, 0.5 * (1.0 + 1e-6), 0.25], (FULL, FULL));
-        assert!(matches!(found[..], [a, b, c] if a < 1e-9 && b > 1.9e-6 && c == b), "{found:?}");
+        assert!(matches!(found[..], [a, b, c] if a < 1e-9 && b > 1.9e-6 && c >= b), "{found:?}");
     }
 
     #[test]

@@ -6,22 +6,24 @@ impl Motion {
     /// Whether it is certain, after an impact at `tau` that the block leaves with the speed `w`, that infinitely many impacts follow and
     /// accumulate while neither sign of flight is favoured by the excitation (`|f| < 1`).
     ///
-    /// On the window `[tau, tau + r]` the excitation stays within `omega a r` of its value, and the rotation `u = |phi|` below the height
-    /// `w^2/(2m)` of a flight. With `r` and `w` so small that the two together change the acceleration towards the base by no more than
-    /// the share `x` of `g_min = min(1 - f, 1 + f)`, it lies for each sign of flight in `[(1-x) g, (1+x) g]` times [`Motion::gain`].
-    /// A flight that leaves with the speed `v` then lasts `2v/m` at the most, and the next one leaves with `q v` at the most,
-    /// `q = eta sqrt((1+x)/(1-x))`. If `q < 1` and the geometric sum of these flights ends within the window, the window was legitimate.
+    /// Take a window of length `r = x g_min/L`, with `g_min = min(1 - f, 1 + f)` and `L` a bound on how fast the acceleration towards the
+    /// base changes, over [`Motion::gain`]: `omega a`, and for the rotation, which stays below `v T/4` in a flight of duration `T` and speed
+    /// `v`, [`Motion::sensitivity`] times the speed. On it the acceleration for each sign of flight stays above `(1-x) g` times the gain.
+    /// A flight that leaves with the speed `v` lasts `2v/((1-x) g)` over the gain at the most and comes back with `v exp(L T/(2(1-x) g))`
+    /// at the most, so that all flights in the window together gain less than the factor `exp(x/(2(1-x)))`. If the geometric sum of their
+    /// bounds ends within the window, the window was legitimate.
     pub fn comes_to_rest(&self, eta: f64, tau: f64, w: f64) -> bool {
-        let g_min = self.excess(1.0, tau).min(-self.excess(-1.0, tau));
-        if g_min <= 0.0 {
+        const X: f64 = 0.4;
+        const GROWTH: f64 = 1.4; // exp(1/3) < 1.4
+        let (right, left) = (self.excess(1.0, tau), -self.excess(-1.0, tau));
+        let (least, most) = (right.min(left), right.max(left));
+        if least <= 0.0 {
             return false;
         }
-        let x = 0.25 * (1.0 - eta * eta);
-        let r = 0.5 * x * g_min / (self.omega * self.a);
-        let m = self.gain() * (1.0 - x) * g_min;
-        let height = 0.5 * w * w / m;
-        let q = eta * ((1.0 + x) / (1.0 - x)).sqrt();
-        q < 1.0 && self.sensitivity() * height <= 0.5 * x * g_min && 2.0 * w <= r * m * (1.0 - q)
+        let r = X * least / (self.omega * self.a + 2.0 * self.sensitivity() * w);
+        // The flight of the side that holds the block less comes first, at the worst.
+        let flights = 2.0 * w / self.gain() * (1.0 / least + eta / most) / (1.0 - eta * eta);
+        GROWTH * flights <= (1.0 - X) * r
     }
 
     /// A bound on how fast the acceleration towards the base, over [`Motion::gain`], changes with the rotation `u` while `|g| <= 2`:
