@@ -153,6 +153,11 @@ impl Fault {
         }
     }
 
+    /// Whether it is that an oracle breaks this law.
+    pub fn breaks(&self, law: Law) -> bool {
+        matches!(self, Self::Law { breach, .. } if breach.law == law)
+    }
+
     /// Whether another fault is of the same oracles and kind, so that a smaller case with it shows the same problem.
     pub fn resembles(&self, other: &Self) -> bool {
         match (self, other) {

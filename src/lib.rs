@@ -21,6 +21,7 @@ pub mod laws;
 pub mod model_gap;
 pub mod observables;
 pub mod panel;
+pub mod reference;
 pub mod replay;
 pub mod report;
 pub mod shrink;

@@ -35,6 +35,11 @@ pub fn all() -> Panel {
     panel
 }
 
+/// The oracle with many digits by itself, for what only it can do.
+pub fn printed() -> Printed {
+    Printed::default()
+}
+
 /// The oracles whose names are in `list`, separated by commas. A name stands for every oracle of the default panel that it begins
 /// (`ode` for all of them), or else for the one that it is.
 ///

@@ -63,18 +63,17 @@ pub const RATIO_REGIME: Tolerance = Tolerance {
 /// The order in `α` of the difference between the models.
 pub const ALPHA_LADDER: Tolerance = Tolerance {
     applies_to: "ladder of slenderness: order of the nonlinear-linear difference of tau_ch",
-    value: 0.1,
+    value: 0.01,
     meaning: "distance of the observed order from 2",
-    reason: "The next term is of order alpha^4; on the two lowest steps (0.05 and 0.025) it changes the order by about 0.01, more \
-             near a_cr.",
+    reason: "The next term is of order alpha^4; between the two lowest rungs (0.05 and 0.025) it makes the order 2.0011 to 2.0013.",
 };
 
 /// The order in `ε` of the error of the series.
 pub const EPSILON_LADDER: Tolerance = Tolerance {
     applies_to: "ladder of epsilon: order of the relative error of the series' tau_ch",
-    value: 0.05,
+    value: 0.005,
     meaning: "distance of the observed order from 1",
-    reason: "The next term is of order epsilon^2; between the two lowest steps (1e-5 and 1e-6) it changes the order by about 1e-3.",
+    reason: "The next term is of order epsilon^2; between the two lowest rungs (1e-5 and 1e-6) it makes the order 0.9994 to 1.0000.",
 };
 
 /// Below which an interval a list may end earlier than that of another oracle.

@@ -13,9 +13,9 @@ const MOST_COLUMNS: usize = 24;
 /// How many flights are left out.
 const FIRST_FLIGHTS: usize = 4;
 
-/// How a change from one column to the next becomes the error that is claimed: its own multiple, and that of the change before it. Few
-/// impacts near the critical amplitude need the latter, where the columns stop getting better and the last change is small by accident.
-const SAFETY: (f64, f64) = (3.0, 1.0);
+/// What multiple of a change from one column to the next, or of the change before it, is claimed as the error. Few impacts near the
+/// critical amplitude need it, where the columns get better slowly and the last change is small by accident.
+const SAFETY: f64 = 3.0;
 
 /// The chattering time by the best column of the table, with the error that its last two columns and the claims of the oracle suggest.
 /// `None` with fewer than two impacts.
@@ -64,7 +64,7 @@ fn columns(pairs: &[(f64, f64)], time: f64, eta: f64) -> impl Iterator<Item = Es
         let change = power / (1.0 - power) * difference;
         value += change;
         noise += power / (1.0 - power) * error;
-        let uncertainty = f64::max(SAFETY.0 * change.abs(), SAFETY.1 * last_change) + noise;
+        let uncertainty = SAFETY * change.abs().max(last_change) + noise;
         last_change = change.abs();
         row = row
             .windows(2)

@@ -18,7 +18,12 @@ fn cases(generator: Generator) -> Vec<Named> {
 
 /// How a case ends for the closed form, and its shortest interval.
 fn outcome(case: &Case) -> (Ending, f64) {
-    let history = stepper().history(case).unwrap();
+    ending_after(case, case.max_impacts())
+}
+
+/// The same with another limit of impacts: next to `a_cr` it takes many until the outcome is clear.
+fn ending_after(case: &Case, impacts: usize) -> (Ending, f64) {
+    let history = stepper().history(&case.with_max_impacts(impacts).unwrap()).unwrap();
     (history.ending, history.impacts.last().map_or(f64::INFINITY, |last| last.interval))
 }
 
@@ -82,19 +87,21 @@ fn edge_cases_walk_to_both_ends_of_the_range() {
     reaches(5, &|case| case.omega() <= 0.1);
     reaches(5, &|case| case.omega() >= 20.0);
     reaches(4, &|case| case.epsilon() <= 0.0);
-    let endings: Vec<Ending> = cases.iter().map(|named| outcome(&named.case).0).collect();
+    let endings: Vec<Ending> = cases.iter().map(|named| ending_after(&named.case, 20_000).0).collect();
     let of = |wanted: Ending| endings.iter().filter(|ending| **ending == wanted).count();
-    assert!(of(Ending::AtRest) > 60 && of(Ending::Incomplete) > 60 && of(Ending::NeverRocks) >= 4);
+    let counts = [Ending::AtRest, Ending::Incomplete, Ending::NeverRocks].map(of);
+    assert!(counts[0] > 100 && counts[1] > 80 && counts[2] >= 4, "{counts:?}");
 }
 
 #[test]
-fn spaced_cases_fill_the_grid_and_are_complete() {
+fn spaced_cases_fill_the_grid_up_to_the_critical_amplitude() {
     let cases = cases(Generator::Spaced);
     assert_eq!(cases.len(), 150);
-    assert_eq!(
-        count(&cases, |case| outcome(case).0 == Ending::AtRest),
-        150 - count(&cases, |case| share(case) > 0.94 && outcome(case).0 != Ending::AtRest)
-    );
+    // But for the strongest excitations, where the fit of a_cr that the grid is made with may lie above a_cr.
+    let goes_on = |case: &Case| matches!(ending_after(case, 2000).0, Ending::Incomplete | Ending::Overturned);
+    assert_eq!(count(&cases, |case| ending_after(case, 2000).0 == Ending::AtRest), 150 - count(&cases, goes_on));
+    assert_eq!(count(&cases, |case| share(case) < 0.5 && goes_on(case)), 0);
+    assert!(count(&cases, goes_on) < 15);
 }
 
 #[test]

@@ -3,9 +3,11 @@
 mod case_flags;
 mod chattering_time;
 mod oracles;
+mod reference;
 mod replay;
 mod report_files;
 mod simulate;
+mod tolerances;
 mod verify;
 
 use std::process::ExitCode;
@@ -29,6 +31,8 @@ enum Command {
     Simulate(simulate::Arguments),
     ChatteringTime(chattering_time::Arguments),
     Oracles(oracles::Arguments),
+    Reference(reference::Arguments),
+    Tolerances(tolerances::Arguments),
 }
 
 /// What a command that ran came to.
@@ -51,6 +55,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::ChatteringTime(arguments) => chattering_time::run(&arguments),
         Command::Oracles(arguments) => oracles::run(&arguments),
+        Command::Reference(arguments) => reference::run(&arguments),
+        Command::Tolerances(arguments) => tolerances::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

@@ -45,7 +45,9 @@ pub fn text(report: &Report) -> String {
     line(&mut out, "");
     line(
         &mut out,
-        "Worst figures of the pairs, as difference/allowed; allowed is the sum of the two claims, and across models the model gap.",
+        "Worst figure of each pair: the difference, and how much of the allowance it used. Allowed is the sum of what the two claim,\n\
+         and across models the model gap. Intervals, velocities and ratios are relative. wide: impacts with claims so wide that any\n\
+         interval would pass; red: cases in which the two disagree.",
     );
     line(&mut out, &pairs(report));
     line(&mut out, "");
@@ -53,8 +55,12 @@ pub fn text(report: &Report) -> String {
     for (ladder, held) in ladders(report) {
         line(&mut out, &format!("{ladder}: {held}"));
     }
-    let laws = Law::ALL.map(Law::says).join("; ");
-    line(&mut out, &format!("laws of each history: {laws}"));
+    for law in Law::ALL {
+        let broken =
+            report.failures.iter().filter(|failure| failure.faults.iter().any(|fault| fault.breaks(law))).count();
+        let held = if broken == 0 { "holds in every history".to_owned() } else { format!("BROKEN in {broken} cases") };
+        line(&mut out, &format!("{}: {held}", law.says()));
+    }
     line(&mut out, "");
     for shortfall in &report.shortfalls {
         line(&mut out, &format!("SHORTFALL: {shortfall}"));
@@ -76,31 +82,35 @@ pub fn text(report: &Report) -> String {
 const SHOWN: usize = 10;
 
 fn pairs(report: &Report) -> String {
-    let columns = [
-        Observable::Interval,
-        Observable::Velocity,
-        Observable::ImpactTime,
-        Observable::IntervalRatio,
-        Observable::ChatteringTime,
+    const COLUMNS: [(Observable, &str); 5] = [
+        (Observable::Interval, "interval"),
+        (Observable::Velocity, "velocity"),
+        (Observable::ImpactTime, "time"),
+        (Observable::IntervalRatio, "ratio"),
+        (Observable::ChatteringTime, "tau_ch"),
     ];
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
-    let heads = ["pair", "cases", "impacts", "too wide", "disagree"].into_iter().chain(columns.map(Observable::name));
-    table.set_header(heads);
+    table.set_header(["pair", "cases", "impacts", "wide", "red"].into_iter().chain(COLUMNS.map(|(_, head)| head)));
     for pair in &report.pairs {
-        let counts = [pair.compared, pair.impacts, pair.vacuous, pair.disagreements].map(|count| count.to_string());
-        let figures = columns.map(|observable| pair.worst.get(&observable).map_or("-".to_owned(), figure));
+        let wide = format!("{:.0}%", 100.0 * pair.vacuous as f64 / pair.impacts.max(1) as f64);
+        let counts = [pair.compared.to_string(), pair.impacts.to_string(), wide, pair.disagreements.to_string()];
+        let figures = COLUMNS.map(|(observable, _)| pair.worst.get(&observable).map_or("-".to_owned(), figure));
         let name = format!("{} : {}", pair.oracles[0], pair.oracles[1]);
         table.add_row(std::iter::once(name).chain(counts).chain(figures));
     }
-    for column in table.column_iter_mut().skip(1) {
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 1));
         column.set_cell_alignment(CellAlignment::Right);
+    }
+    if let Some(names) = table.column_mut(0) {
+        names.set_cell_alignment(CellAlignment::Left);
     }
     table.to_string()
 }
 
 fn figure(worst: &WorstFigure) -> String {
-    format!("{:.0e}/{:.0e}", worst.figure.difference, worst.figure.allowed)
+    format!("{:.0e} {:2.0}%", worst.figure.difference, 100.0 * worst.share)
 }
 
 /// The cases that came nearest to failing, one for each observable.

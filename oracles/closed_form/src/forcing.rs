@@ -71,8 +71,8 @@ impl Excitation {
             jerk: -sign * self.omega * (rate - other_rate),
             snap: -self.omega * self.omega * (1.0 + acceleration),
             rounding: (
-                2.0 * factor.abs() * (one.abs() + other.abs()),
-                2.0 * self.omega * (rate.abs() + other_rate.abs()),
+                1.5 * factor.abs() * (one.abs() + other.abs()),
+                1.5 * self.omega * (rate.abs() + other_rate.abs()),
             ),
         }
     }

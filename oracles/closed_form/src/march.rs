@@ -14,8 +14,8 @@ use crate::{
 const STEPS: usize = 1_000_000;
 
 /// Follows the flight to its first impact, its horizon, or past the point of no return.
-pub(crate) fn fly(takeoff: &Takeoff) -> Outcome {
-    let Takeoff { excitation, flow, time, sign, speed, forcing, horizon, .. } = *takeoff;
+pub(crate) fn fly(takeoff: Takeoff) -> Outcome {
+    let Takeoff { excitation, flow, time, sign, speed, forcing, horizon, .. } = takeoff;
     let (amplitude, omega) = (excitation.amplitude, excitation.omega);
     let longest = 0.5 * flow.longest();
 
@@ -37,23 +37,19 @@ pub(crate) fn fly(takeoff: &Takeoff) -> Outcome {
         if rotation + velocity > 1.0 + amplitude {
             return Outcome::Overturned;
         }
-        let left = horizon - elapsed.high;
-        if left <= 0.0 {
+        if elapsed.high >= horizon {
             return Outcome::Aloft;
         }
-        let step = safe_step(state, here.acceleration, longest.min(left), |step| {
+        let step = safe_step(state, here.acceleration, longest, |step| {
             (omega * amplitude).min((-here.jerk).max(0.0) + omega * omega * amplitude * step)
         });
         let arrived = rotation <= 0.0 && elapsed.high > 0.0;
         if arrived || step <= 0.25 * f64::EPSILON * elapsed.high {
-            return Outcome::Landing(land(takeoff, elapsed.value(), state, here.acceleration));
+            return Outcome::Landing(land(&takeoff, elapsed.value(), state, here.acceleration));
         }
         state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
-        here = excitation.forcing(
-            sign,
-            excitation.half_phase(time.plus(elapsed.high).plus(elapsed.low)),
-        );
+        here = excitation.forcing(sign, excitation.half_phase(time.plus(elapsed.high).plus(elapsed.low)));
     }
     Outcome::Stuck
 }
@@ -87,17 +83,15 @@ fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), forced: f64
     // u_τ = u' - v cosh s - b sinh s, and its derivative
     let by_time =
         (velocity - speed * cosh - forcing.acceleration * sinh, forced - speed * sinh - forcing.acceleration * cosh);
-    let rotation_error = 16.0 * UNIT * (speed + interval) * interval * cosh;
+    let size = (speed + interval) * cosh;
     Landing {
         interval,
         gain: velocity + speed,
         velocity,
+        acceleration: forced,
         off_parabola: forced - 2.0 * velocity / interval,
         by_speed: (sinh, cosh),
         by_time,
-        rounding: (
-            rotation_error / velocity.abs().max(f64::MIN_POSITIVE) + UNIT * interval,
-            16.0 * UNIT * (speed + interval) * cosh,
-        ),
+        rounding: (16.0 * UNIT * size * interval, 16.0 * UNIT * size),
     }
 }

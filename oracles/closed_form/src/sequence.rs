@@ -6,7 +6,8 @@ use crate::{
     UNIT,
     flight::{Landing, Outcome, Takeoff},
     flow::Flow,
-    forcing::{Excitation, Forcing, HalfPhase},
+    forcing::{Excitation, HalfPhase},
+    rest::ProofOfRest,
     twofold::{Split, Twofold},
 };
 
@@ -38,7 +39,7 @@ pub(crate) fn follow(case: &Case) -> History {
     let mut errors = Errors { time: 0.0, speed: 0.0 };
     let mut guesses = [None, None];
     let eta = Split::new(case.eta());
-    let completeness = Completeness::new(&excitation, case.eta());
+    let proof = ProofOfRest::new(&excitation, case.eta());
     let mut complete = false;
     let ending = loop {
         let [guess, other] = guesses;
@@ -86,7 +87,7 @@ pub(crate) fn follow(case: &Case) -> History {
             },
         });
         guesses = [other, Some(landing.interval)];
-        complete = complete || completeness.holds(&forcing, departure);
+        complete = complete || proof.holds(&forcing, departure);
         if departure < SLOWEST {
             break if complete { Ending::AtRest } else { Ending::Lost(Loss::NotFinite) };
         }
@@ -104,8 +105,8 @@ fn inherit(takeoff: &Takeoff, landing: &Landing, errors: Errors, eta: f64) -> (E
     let (tilt, turn) = landing.by_time;
     let slowness = -1.0 / landing.velocity.min(-f64::MIN_POSITIVE);
     let (interval_by_speed, interval_by_time) = (sinh * slowness, tilt * slowness);
-    let (own, own_gain) = landing.rounding;
-    let acceleration = landing.off_parabola + 2.0 * landing.velocity / landing.interval;
+    let (own_rotation, own_gain) = landing.rounding;
+    let own = own_rotation * slowness + UNIT * landing.interval;
     // Moving the impact by ds changes the speed by u'' ds; an error of its own place leaves out what the parabola changes without
     // changing the gain.
     let inherited = Errors {
@@ -114,42 +115,11 @@ fn inherit(takeoff: &Takeoff, landing: &Landing, errors: Errors, eta: f64) -> (E
             + own
             + UNIT * UNIT * takeoff.time.high,
         speed: eta
-            * ((cosh + acceleration * interval_by_speed).abs() * errors.speed
-                + (turn + acceleration * interval_by_time).abs() * errors.time
+            * ((cosh + landing.acceleration * interval_by_speed).abs() * errors.speed
+                + (turn + landing.acceleration * interval_by_time).abs() * errors.time
                 + landing.off_parabola.abs() * own
                 + own_gain
                 + 4.0 * UNIT * UNIT * takeoff.speed),
     };
     (inherited, interval_by_time.abs() * errors.time + interval_by_speed * errors.speed + own)
-}
-
-/// When infinitely many impacts are sure to follow and to accumulate while the forcing still holds the block down.
-///
-/// In a window of length `r = x g/(2ωa)` after the impact, with `g` the smaller of `1 ± f`, the pull towards the base stays within
-/// a factor `1 ± x` of what it is now, on each side: one half of the share `x` is for the change of the forcing, the other for the
-/// rotation itself, at most `v r`, if `v <= ωa`. A flight that leaves with speed `v` then lasts at most `2v/((1 - x) g)`, and the
-/// next leaves with at most `q v`, `q = η sqrt((1 + x)/(1 - x))`. If the geometric sum of them, `2v/((1 - x)(1 - q) g)`, fits into
-/// the window, the bounds hold for all.
-struct Completeness {
-    /// `ωa`.
-    fastest: f64,
-    /// `x (1 - x)(1 - q)/(4ωa)`.
-    factor: f64,
-}
-
-impl Completeness {
-    fn new(excitation: &Excitation, eta: f64) -> Self {
-        let fastest = excitation.omega * excitation.amplitude;
-        let share = 0.25 * (1.0 - eta * eta); // q < 1 for every η
-        let ratio = eta * ((1.0 + share) / (1.0 - share)).sqrt();
-        Self { fastest, factor: share * (1.0 - share) * (1.0 - ratio) / (4.0 * fastest) }
-    }
-
-    /// Whether it is sure after an impact that is left with `speed`.
-    fn holds(&self, forcing: &Forcing, speed: f64) -> bool {
-        // (1 - f) + (1 + f) = 2
-        let pull = -forcing.acceleration;
-        let weaker = pull.min(2.0 - pull);
-        weaker > 0.0 && speed <= self.fastest && speed <= self.factor * weaker * weaker
-    }
 }

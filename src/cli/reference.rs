@@ -1,0 +1,35 @@
+use std::{fs, path::PathBuf};
+
+use anyhow::{Context as _, anyhow};
+use chattercheck::reference;
+use clap::Args;
+use serde::Serialize;
+
+use super::Verdict;
+
+/// Make the reference tables: impacts and chattering times with 60 digits, from the printed equations
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Where the tables go
+    #[arg(long, value_name = "DIR", default_value = "data/reference")]
+    out: PathBuf,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let folder = &arguments.out;
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    let bar = indicatif::ProgressBar::new_spinner();
+    let (impacts, times) = reference::tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
+    bar.finish_and_clear();
+    write(&folder.join("linear_impacts.csv"), &impacts)?;
+    write(&folder.join("linear_chattering_times.csv"), &times)?;
+    Ok(Verdict::Well)
+}
+
+fn write<Row: Serialize>(path: &PathBuf, rows: &[Row]) -> anyhow::Result<()> {
+    let mut csv = csv::Writer::from_path(path).with_context(|| format!("cannot write {}", path.display()))?;
+    rows.iter().try_for_each(|row| csv.serialize(row))?;
+    csv.flush()?;
+    eprintln!("{}: {} rows", path.display(), rows.len());
+    Ok(())
+}
