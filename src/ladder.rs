@@ -118,7 +118,7 @@ fn descent(
         if ladder == Ladder::Alpha {
             case = case.with_slenderness(Slenderness::new(small, Normalisation::Threshold)?);
         }
-        let time = |answer: Answer| Some(answer.observed()?.chattering_time?);
+        let time = |answer: Answer| answer.observed()?.chattering_time;
         let (Some(exact), Some(value)) = (time(ask(stepper, &case)), time(ask(other, &case))) else { continue };
         rungs.push((small, (value.value / exact.value - 1.0).abs()));
         // The series' own claim is the very error that is measured.

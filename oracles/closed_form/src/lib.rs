@@ -2,9 +2,9 @@
 //! deep the sequence goes.
 //!
 //! A flight is followed in local time as the distance from the base, `u = i φ >= 0`, for which Eq. 4 reads
-//! `u'' = u - 1 - i f`. [`flow`] is its exact solution, [`forcing`] the excitation, [`flight`] finds the first impact and
-//! proves that it is the first, [`march`] does so where Newton's method can't, [`sequence`] strings flights together,
-//! and [`rest`] knows when the rest of the sequence is certain.
+//! `u'' = u - 1 - i f`. `flow` is its exact solution, `forcing` the excitation, `flight` finds the first impact and
+//! proves that it is the first, `march` does so where Newton's method can't, `sequence` strings flights together,
+//! and `rest` knows when the rest of the sequence is certain.
 #![cfg_attr(test, allow(clippy::indexing_slicing))]
 
 mod flight;
