@@ -43,7 +43,8 @@ fn verified(name: &str, run: &dyn Fn(&Case) -> Option<History>, cases: &[Case], 
         assert_eq!(found.impacts.len(), exact.impacts.len(), "{name} has another number of impacts in {case:?}");
         for (one, two) in exact.impacts.iter().zip(&found.impacts) {
             let error = (two.interval / one.interval - 1.0).abs();
-            let allowed = tolerance.max(1e3 * one.uncertainty.interval / f64::EPSILON * tolerance);
+            // An ill-conditioned case, for which the closed form itself claims less, is allowed as much more.
+            let allowed = tolerance * f64::max(1.0, one.uncertainty.interval / 1e-14);
             assert!(error <= allowed, "{name} is off by {error:e} in {case:?}");
         }
         impacts += found.impacts.len() as u64;
