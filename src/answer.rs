@@ -44,6 +44,14 @@ pub fn ask(oracle: &dyn Oracle, case: &Case) -> Answer {
 
 impl Answer {
     /// The history and what follows from it, if there is one.
+    pub fn into_observed(self) -> Option<Observed> {
+        match self.outcome {
+            Outcome::Observed(observed) => Some(observed),
+            Outcome::Declined(_) | Outcome::Panicked(_) => None,
+        }
+    }
+
+    /// The history and what follows from it, if there is one.
     pub fn observed(&self) -> Option<&Observed> {
         match &self.outcome {
             Outcome::Observed(observed) => Some(observed),

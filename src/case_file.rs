@@ -93,6 +93,10 @@ pub fn name_of(normalisation: Normalisation) -> &'static str {
 /// A case as the flags that ask for it on the command line.
 pub fn flags(case: &Case) -> String {
     let mut flags = format!("--epsilon {:?} --omega {:?} --eta {:?}", case.epsilon(), case.omega(), case.eta());
+    flags += &format!(" --impacts {}", case.max_impacts());
+    if let Horizon::Until(time) = case.horizon() {
+        flags += &format!(" --until {time:?}");
+    }
     if let Some(slenderness) = case.slenderness() {
         flags +=
             &format!(" --alpha {:?} --normalisation {}", slenderness.alpha(), name_of(slenderness.normalisation()));
@@ -101,6 +105,8 @@ pub fn flags(case: &Case) -> String {
 }
 
 /// What is wrong with a TOML file, in one line and without the parser's picture of it.
-pub fn one_line(error: &toml::de::Error) -> String {
-    error.message().replace('\n', " ")
+pub fn one_line(error: &toml::de::Error, text: &str) -> String {
+    let line = error.span().and_then(|span| Some(text.get(..span.start)?.matches('\n').count() + 1));
+    let place = line.map_or(String::new(), |line| format!("line {line}: "));
+    format!("{place}{}", error.message().replace('\n', " "))
 }

@@ -18,8 +18,10 @@ pub struct Comparison {
     pub worst: BTreeMap<Observable, Figure>,
     /// How many impacts were compared.
     pub impacts: usize,
-    /// Of them, how many in name only: what the oracles claim is so wide that any interval would have passed.
+    /// Of them, how many in name only: what the oracles claim for one observable is so wide that nearly anything would have passed.
     pub vacuous: usize,
+    /// Whether the chattering times were compared, and if so, not in name only.
+    pub chattering_time: Option<bool>,
     /// The verdict.
     pub verdict: Verdict,
 }
@@ -79,14 +81,15 @@ impl Figure {
 pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelGap>) -> Comparison {
     let (mine, theirs) = (&first.history.impacts, &second.history.impacts);
     let common = mine.len().min(theirs.len());
-    let mut comparison = Comparison { worst: BTreeMap::new(), impacts: 0, vacuous: 0, verdict: Verdict::Agree };
+    let mut comparison =
+        Comparison { worst: BTreeMap::new(), impacts: 0, vacuous: 0, chattering_time: None, verdict: Verdict::Agree };
     for n in 1..=common {
         comparison.impacts += 1;
+        let time = first.at(Observable::ImpactTime, n).map_or(0.0, |time| time.value);
+        let mut wide = false;
         for observable in Observable::OF_AN_IMPACT {
             let Some((figure, values)) = figure(observable, n, first, second, gap) else { continue };
-            if observable == Observable::Interval && figure.allowed > 0.5 {
-                comparison.vacuous += 1;
-            }
+            wide |= is_wide(figure.allowed, if observable == Observable::ImpactTime { time } else { 1.0 });
             comparison.note(observable, figure);
             if !figure.is_allowed() {
                 let poisoned = common - n;
@@ -94,6 +97,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&Mo
                 return comparison;
             }
         }
+        comparison.vacuous += usize::from(wide);
     }
     comparison.verdict = endings(case, first, second, gap, common);
     if comparison.verdict != Verdict::Agree {
@@ -105,6 +109,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&Mo
             difference: (mine.value - theirs.value).abs(),
             allowed: mine.uncertainty + theirs.uncertainty + slack(Observable::ChatteringTime, 0, gap),
         };
+        comparison.chattering_time = Some(!is_wide(figure.allowed, mine.value));
         comparison.note(Observable::ChatteringTime, figure);
         if !figure.is_allowed() {
             comparison.verdict = Verdict::Disagree(Disagreement {
@@ -125,6 +130,11 @@ impl Comparison {
             *worst = figure;
         }
     }
+}
+
+/// Whether an allowance is so wide that it compares nothing: half of the value itself.
+fn is_wide(allowed: f64, value: f64) -> bool {
+    allowed.is_nan() || allowed > 0.5 * value
 }
 
 /// The difference of an observable at impact `n`, and the two values.
@@ -220,7 +230,7 @@ fn kind(ending: Ending) -> Kind {
 }
 
 /// The end of the time that a case is followed.
-fn horizon(case: &Case) -> f64 {
+pub(crate) fn horizon(case: &Case) -> f64 {
     match case.horizon() {
         Horizon::HalfPeriod => std::f64::consts::PI / case.omega(),
         Horizon::Until(time) => time,

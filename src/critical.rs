@@ -2,6 +2,8 @@
 
 use contract::{Case, Ending, Invalid, Oracle};
 
+use crate::answer::ask;
+
 /// The fit of Eq. 76, good to a few parts in a thousand for `η > 0.75` and `ω` from 0.5 to 8.
 pub fn eq76(omega: f64, eta: f64) -> f64 {
     let (w, n) = (omega, eta);
@@ -32,9 +34,9 @@ pub fn bracket(oracle: &dyn Oracle, omega: f64, eta: f64) -> Result<Option<(f64,
     const SMALLEST: f64 = 1e-12;
     let is_complete = |epsilon: f64| -> Result<Option<bool>, Invalid> {
         let case = Case::from_epsilon(epsilon, omega, eta)?.with_max_impacts(IMPACTS)?;
-        Ok(match oracle.history(&case).map(|history| history.ending) {
-            Ok(Ending::AtRest) => Some(true),
-            Ok(Ending::Incomplete | Ending::Overturned) => Some(false),
+        Ok(match ask(oracle, &case).observed().map(|observed| observed.history.ending) {
+            Some(Ending::AtRest) => Some(true),
+            Some(Ending::Incomplete | Ending::Overturned) => Some(false),
             _ => None,
         })
     };

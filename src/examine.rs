@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     answer::{Answer, Outcome, ask},
     compare::{Comparison, Disagreement, Verdict, compare},
+    confirm,
     laws::{self, Breach, Findings, Law},
     model_gap::ModelGap,
 };
@@ -55,8 +56,13 @@ pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
     let answers: Vec<Answer> = panel.iter().map(|oracle| ask(*oracle, case)).collect();
     let findings = answers
         .iter()
-        .map(|answer| match &answer.outcome {
-            Outcome::Observed(observed) => laws::check(case, answer.model, observed),
+        .enumerate()
+        .map(|(place, answer)| match &answer.outcome {
+            Outcome::Observed(observed) => {
+                let findings = laws::check(case, answer.model, observed);
+                let breach = findings.breach.or_else(|| confirm::breach(panel, case, &answers, place));
+                Findings { breach, ..findings }
+            }
             Outcome::Declined(_) => Findings::default(),
             Outcome::Panicked(message) => {
                 let how = format!("panicked: {message}");

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     answer::{Answer, ask},
     critical,
+    panel::SERIES,
     tolerance::{self, Tolerance},
 };
 
@@ -67,6 +68,16 @@ pub struct Descent {
 }
 
 impl Descent {
+    /// What was observed and expected, in one line.
+    pub fn describe(&self) -> String {
+        let Self { ladder, oracles: [one, two], omega, eta, expected: (order, tolerance), .. } = self;
+        let observed = self.order.map_or("none that the claims can resolve".to_owned(), |order| format!("{order:.4}"));
+        let says = ladder.says();
+        format!(
+            "{says} ({one} against {two}, omega = {omega}, eta = {eta}): observed order {observed}, expected {order} ± {tolerance}"
+        )
+    }
+
     /// Whether the observed order is the expected one. Having observed none is not.
     pub fn holds(&self) -> bool {
         self.order.is_some_and(|order| (order - self.expected.0).abs() <= self.expected.1)
@@ -98,9 +109,6 @@ pub fn descend(panel: &[&dyn Oracle]) -> Result<Vec<Descent>, Invalid> {
     }
     Ok(descents)
 }
-
-/// The oracle whose error is to fall with `ε`.
-const SERIES: &str = "asymptotic";
 
 fn descent(
     ladder: Ladder,

@@ -25,12 +25,24 @@ pub enum Law {
     TimeIsSum,
     /// Interval ratios tend to `η²` (Eq. 73), at the rate that follows from Eq. 4.
     IntervalRatio,
+    /// What an oracle calls rest is still rest when it is asked for more impacts. Tried where the oracles' endings differ.
+    RestStays,
+    /// What an oracle calls overturned does not land again for another that follows it further. Tried where the oracles' endings differ.
+    OverturnedStays,
 }
 
 impl Law {
     /// Every law, in the order in which they are tried.
-    pub const ALL: [Self; 6] =
-        [Self::Answers, Self::NotLost, Self::Form, Self::SignAlternates, Self::TimeIsSum, Self::IntervalRatio];
+    pub const ALL: [Self; 8] = [
+        Self::Answers,
+        Self::NotLost,
+        Self::Form,
+        Self::SignAlternates,
+        Self::TimeIsSum,
+        Self::IntervalRatio,
+        Self::RestStays,
+        Self::OverturnedStays,
+    ];
 
     /// What it says, for reports.
     pub fn says(self) -> &'static str {
@@ -41,6 +53,8 @@ impl Law {
             Self::SignAlternates => "the sign of the velocity alternates (Eq. 70)",
             Self::TimeIsSum => "times are sums of intervals (Eq. 42)",
             Self::IntervalRatio => "interval ratios tend to eta^2 at the known rate (Eq. 73)",
+            Self::RestStays => "rest stays rest when more impacts are asked for",
+            Self::OverturnedStays => "what is overturned does not land again",
         }
     }
 }

@@ -12,6 +12,7 @@
 pub mod answer;
 pub mod case_file;
 pub mod compare;
+pub mod confirm;
 pub mod critical;
 pub mod examine;
 pub mod generate;

@@ -12,9 +12,12 @@
 //! and it falls as `α²` by construction. The true stiffness wanders between the two, so the effect of either may vanish at an impact where that
 //! of the true one does not: the bound at an impact is the largest up to it.
 
-use contract::{Case, Invalid, Model, Normalisation, Oracle};
+use contract::{Case, Horizon, Invalid, Model, Normalisation, Oracle};
 
-use crate::observables::{Observable, Observed};
+use crate::{
+    answer::ask,
+    observables::{Observable, Observed},
+};
 
 /// What `δ` is beyond `α² (1/2 + a)`: room for the terms in `α⁴`.
 const ROOM: f64 = 1.1;
@@ -105,7 +108,10 @@ fn stiffened(stepper: &dyn Oracle, case: &Case, kappa: f64) -> Result<Option<Sti
     }
     let rate = kappa.sqrt();
     let scaled = Case::from_epsilon(case.epsilon(), case.omega() / rate, case.eta())?;
-    let scaled = scaled.with_max_impacts(case.max_impacts())?;
-    let Ok(history) = stepper.history(&scaled) else { return Ok(None) };
-    Ok(Some(Stiffened { observed: Observed::new(&scaled, history), rate }))
+    let horizon = match case.horizon() {
+        Horizon::HalfPeriod => Horizon::HalfPeriod,
+        Horizon::Until(time) => Horizon::Until(time * rate),
+    };
+    let scaled = scaled.with_max_impacts(case.max_impacts())?.with_horizon(horizon)?;
+    Ok(ask(stepper, &scaled).into_observed().map(|observed| Stiffened { observed, rate }))
 }

@@ -84,7 +84,8 @@ impl Replay {
     /// # Errors
     /// When it is not a replay file, a value is not allowed, or the decimal and the exact numbers differ.
     pub fn read(text: &str) -> Result<(Self, Case), ReplayError> {
-        let replay: Self = toml::from_str(text).map_err(|error| ReplayError::Form(case_file::one_line(&error)))?;
+        let replay: Self =
+            toml::from_str(text).map_err(|error| ReplayError::Form(case_file::one_line(&error, text)))?;
         let case = replay.case.case()?;
         let same = |field, exact: &str, decimal: f64| match hex_float::parse(exact) {
             Some(value) if value.to_bits() == decimal.to_bits() => Ok(()),

@@ -23,6 +23,8 @@ pub struct Request {
 }
 
 impl Request {
+    /// How many random cases a run may be asked for.
+    pub const MOST_CASES: usize = 1_000_000;
     /// How many random cases a run has unless told otherwise.
     pub const DEFAULT_CASES: usize = 2000;
 }
@@ -48,12 +50,13 @@ pub fn cases(request: &Request) -> Vec<Named> {
     all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
 }
 
-/// Runs the cases through the panel, and reports on them and on the ladders. `done` is called after each case, from any thread.
+/// Runs the cases through the panel, and reports on them and on the ladders; a run without ladders is of a few chosen cases and does not have
+/// to prove anything as a whole. `done` is called after each case, from any thread.
 pub fn run(
     panel: &[&dyn Oracle],
     cases: &[Named],
     seed: u64,
-    ladders: Vec<Descent>,
+    ladders: Option<Vec<Descent>>,
     done: impl Fn() + Sync,
 ) -> (Report, Vec<Failure>) {
     let names: Vec<&str> = panel.iter().map(|oracle| oracle.name()).collect();
@@ -73,5 +76,6 @@ pub fn run(
             failures.push(Failure { named: named.clone(), faults });
         }
     }
-    (Report::new(&names, seed, tally, ladders, &failures), failures)
+    let whole = ladders.is_some();
+    (Report::new(&names, seed, tally, ladders.unwrap_or_default(), &failures, whole), failures)
 }

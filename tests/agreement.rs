@@ -133,7 +133,7 @@ fn the_printed_equations_with_many_digits_agree_with_every_method() {
             named
         })
         .collect();
-    let (report, _) = verify::run(&panel, &cases, 0, Vec::new(), || ());
+    let (report, _) = verify::run(&panel, &cases, 0, None, || ());
     assert!(report.passes(), "{}", chattercheck::report::text(&report));
     assert!(report.pairs.iter().all(|pair| pair.compared == cases.len() || pair.absent > 0));
 }

@@ -66,7 +66,7 @@ fn cases() -> Vec<Named> {
 fn run(panel: &[Box<dyn Oracle>]) -> Report {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let ladders = ladder::descend(&panel).unwrap();
-    verify::run(&panel, &cases(), 11, ladders, || ()).0
+    verify::run(&panel, &cases(), 11, Some(ladders), || ()).0
 }
 
 /// The panel that faults are planted in: one oracle of each kind.
@@ -329,6 +329,86 @@ fn a_claim_of_nothing() {
     let report = planted(ODE, same, answer);
     assert!(!report.passes());
     assert!(report.shortfalls.iter().any(|shortfall| shortfall.contains("in name only")), "{:?}", report.shortfalls);
+}
+
+#[test]
+fn a_claim_of_nothing_for_the_velocity_alone() {
+    let answer = |_: &Case, history: &mut History| {
+        for impact in &mut history.impacts {
+            impact.velocity *= 1.5;
+            impact.uncertainty.velocity = f64::INFINITY;
+        }
+    };
+    let report = planted(ODE, same, answer);
+    assert!(report.shortfalls.iter().any(|shortfall| shortfall.contains("in name only")), "{:?}", report.shortfalls);
+}
+
+#[test]
+fn a_chattering_time_that_claims_nothing() {
+    let answer = |_: &Case, history: &mut History| {
+        history.chattering_time = Some(Estimate { value: 42.0, uncertainty: f64::INFINITY });
+    };
+    let report = planted(ODE, same, answer);
+    let found =
+        report.shortfalls.iter().any(|shortfall| shortfall.contains("chattering times were compared in name only"));
+    assert!(found, "{:?}", report.shortfalls);
+}
+
+#[test]
+fn never_saying_that_the_block_comes_to_rest() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.ending == Ending::AtRest {
+            history.ending = Ending::LimitReached(contract::Limit::Impacts);
+        }
+    };
+    let report = planted(ODE, same, answer);
+    let found = report.shortfalls.iter().any(|shortfall| shortfall.contains("no chattering time was compared"));
+    assert!(found, "{:?}", report.shortfalls);
+}
+
+#[test]
+fn rest_declared_wherever_the_list_ends() {
+    // Short lists of incomplete cases: the others do not know yet.
+    let ask = |case: &Case| *case;
+    let answer = |_: &Case, history: &mut History| {
+        if history.ending == Ending::LimitReached(contract::Limit::Impacts) {
+            history.ending = Ending::AtRest;
+        }
+    };
+    let inner = panel::default().swap_remove(0);
+    let faulty: Box<dyn Oracle> = Box::new(Faulty { inner, ask, answer });
+    let case = Case::from_amplitude(1.05, 2.0, 0.92).unwrap().with_max_impacts(8).unwrap();
+    let ode = panel::select(ODE).unwrap().swap_remove(0);
+    let cases = [Named { generator: Generator::List, name: "short".to_owned(), case }];
+    let (report, _) = verify::run(&[faulty.as_ref(), ode.as_ref()], &cases, 0, None, || ());
+    let fault = &report.failures[0].faults[0];
+    assert!(
+        matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::RestStays),
+        "{fault:?}"
+    );
+}
+
+#[test]
+fn incomplete_chattering_called_overturned() {
+    let answer = |_: &Case, history: &mut History| {
+        if history.ending == Ending::Incomplete {
+            history.ending = Ending::Overturned;
+        }
+    };
+    let report = planted(CLOSED, same, answer);
+    let faults = faults_in(&report, "list/fig-11");
+    let found = faults.iter().any(|fault| {
+        matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::OverturnedStays)
+    });
+    assert!(found, "{faults:#?}");
+}
+
+#[test]
+fn declining_a_fifth_of_the_cases() {
+    let ask = |case: &Case| if case.eta() > 0.9 { with(case, 1e-70, case.omega(), case.eta()) } else { *case };
+    let report = planted(CLOSED, ask, untouched);
+    let found = report.shortfalls.iter().any(|shortfall| shortfall.contains("closed-form declined"));
+    assert!(found, "{:?}", report.shortfalls);
 }
 
 #[test]

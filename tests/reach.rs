@@ -54,6 +54,25 @@ fn random_cases_reach_every_regime() {
     reaches("fast excitation", 40, &|case| case.omega() > 8.0);
     reaches("slender blocks", 400, &|case| case.slenderness().unwrap().alpha() < 0.05);
     reaches("stocky blocks", 400, &|case| case.slenderness().unwrap().alpha() > 0.2);
+    let distinct = |of: fn(&Case) -> f64| {
+        let mut values: Vec<u64> = cases.iter().map(|named| of(&named.case).to_bits()).collect();
+        values.sort_unstable();
+        values.dedup();
+        values.len()
+    };
+    assert!(distinct(Case::eta) > 1900, "restitutions repeat: {} distinct", distinct(Case::eta));
+    assert!(distinct(Case::omega) > 1900, "frequencies repeat: {} distinct", distinct(Case::omega));
+    assert!(distinct(Case::epsilon) > 1900, "amplitudes repeat: {} distinct", distinct(Case::epsilon));
+    for (low, high) in [(0.5, 0.6), (0.6, 0.7), (0.7, 0.8), (0.8, 0.9), (0.9, 0.96), (0.96, 0.99)] {
+        reaches(&format!("restitution in {low}..{high}"), 100, &|case| (low..high).contains(&case.eta()));
+    }
+    for octave in -1..3 {
+        let (low, high) = (2.0_f64.powi(octave), 2.0_f64.powi(octave + 1));
+        reaches(&format!("frequency in {low}..{high}"), 200, &|case| (low..high).contains(&case.omega()));
+    }
+    let usual = |case: &Case| (-5.3 / case.eta().ln()).ceil().clamp(40.0, 600.0) as usize;
+    reaches("as deep as the tail needs", 1500, &|case| case.max_impacts() >= usual(case));
+    reaches("twice as deep as the tail needs", 60, &|case| case.max_impacts() >= 2 * usual(case));
     let endings: Vec<_> = cases.iter().map(|named| outcome(&named.case)).collect();
     let complete = endings.iter().filter(|(ending, _)| *ending == Ending::AtRest).count();
     let incomplete = endings.iter().filter(|(ending, _)| *ending == Ending::Incomplete).count();
@@ -80,6 +99,12 @@ fn edge_cases_walk_to_both_ends_of_the_range() {
         );
         assert!(here.iter().filter(|epsilon| (*epsilon / below - 1.0).abs() < 1e-11).count() >= 8);
         assert!(here.iter().any(|epsilon| *epsilon > 0.0 && *epsilon <= 1e-12), "the walk reaches the threshold");
+        for step in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12] {
+            for (side, from, sign) in [("below", below, -1.0), ("above", above, 1.0)] {
+                let there = here.iter().any(|epsilon| ((epsilon / from - 1.0) * sign / step - 1.0).abs() < 1e-3);
+                assert!(there, "no step {step:e} {side} a_cr at omega = {omega}, eta = {eta}");
+            }
+        }
     }
     let reaches = |least: usize, holds: &dyn Fn(&Case) -> bool| assert!(count(&cases, holds) >= least);
     reaches(5, &|case| case.eta() >= 0.99);
@@ -97,6 +122,17 @@ fn edge_cases_walk_to_both_ends_of_the_range() {
 fn spaced_cases_fill_the_grid_up_to_the_critical_amplitude() {
     let cases = cases(Generator::Spaced);
     assert_eq!(cases.len(), 150);
+    let distinct = |of: &dyn Fn(&Case) -> f64| {
+        let values = cases.iter().map(|named| format!("{:.6}", of(&named.case)));
+        values.collect::<std::collections::BTreeSet<_>>().len()
+    };
+    let counts = [
+        distinct(&|case| case.eta()),
+        distinct(&|case| case.omega()),
+        distinct(&share),
+        distinct(&|case| case.slenderness().unwrap().alpha()),
+    ];
+    assert_eq!(counts, [5, 5, 6, 6], "distinct restitutions, frequencies, shares of a_cr - 1, and slendernesses");
     // But for the strongest excitations, where the fit of a_cr that the grid is made with may lie above a_cr.
     let goes_on = |case: &Case| matches!(ending_after(case, 2000).0, Ending::Incomplete | Ending::Overturned);
     assert_eq!(count(&cases, |case| ending_after(case, 2000).0 == Ending::AtRest), 150 - count(&cases, goes_on));

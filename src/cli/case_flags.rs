@@ -13,26 +13,26 @@ pub(crate) struct CaseFlags {
         value_name = "A",
         required_unless_present = "epsilon",
         conflicts_with = "epsilon",
-        allow_negative_numbers = true
+        allow_hyphen_values = true
     )]
     a: Option<f64>,
     /// a - 1, without the rounding of a
-    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
     epsilon: Option<f64>,
     /// Frequency ratio omega_g/p
-    #[arg(long, value_name = "W", allow_negative_numbers = true)]
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
     omega: f64,
     /// Coefficient of restitution
-    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
     eta: f64,
     /// Slenderness angle in radians, for the nonlinear model
-    #[arg(long, value_name = "RAD", allow_negative_numbers = true)]
+    #[arg(long, value_name = "RAD", allow_hyphen_values = true)]
     alpha: Option<f64>,
     /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
     #[arg(long, value_name = "threshold|slender", requires = "alpha")]
     normalisation: Option<String>,
     /// Follow the block to this time tau, past half a period if it still rocks
-    #[arg(long, value_name = "TAU", allow_negative_numbers = true)]
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true)]
     until: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ pub(crate) struct OracleFlags {
     #[arg(long, value_name = "METHOD")]
     method: Option<String>,
     /// For ode: the relative tolerance [default: the method's own]
-    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
     rtol: Option<f64>,
     /// For ode: each flight in its own units, or all on one clock: rescaled or naive [default: rescaled]
     #[arg(long, value_name = "FLIGHTS")]

@@ -44,30 +44,32 @@ struct Answer<'a> {
     half_period_fraction: Option<f64>,
     impacts: usize,
     oracle: &'a str,
-    method: &'static str,
+    method: Option<&'static str>,
     ending: String,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
-    let (oracle, observed, case) = loop {
-        let case = arguments.case.case(impacts)?;
-        let oracle = arguments.oracle.oracle(&case)?;
-        let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
-        let observed = Observed::new(&case, history);
-        // Not told how many, take more impacts as long as they sharpen the answer.
-        if arguments.impacts.is_some() || impacts >= MOST_IMPACTS || !gains_from_more(&observed, impacts) {
-            break (oracle, observed, case);
-        }
+    let mut case = arguments.case.case(impacts)?;
+    let oracle = arguments.oracle.oracle(&case)?;
+    let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
+    let mut observed = ask(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
+    // Not told how many, take more impacts as long as they sharpen the answer and the oracle can do more.
+    while arguments.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
         impacts *= 2;
-    };
+        case = arguments.case.case(impacts)?;
+        match ask(&case) {
+            Ok(sharper) => observed = sharper,
+            Err(_) => break,
+        }
+    }
     let answer = answer(oracle.name(), &case, &observed);
     let mut stdout = std::io::stdout().lock();
     match arguments.format {
         Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(&answer)?)?,
         Format::Text => writeln!(stdout, "{}", text(&answer))?,
     }
-    Ok(Verdict::Well)
+    Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
 }
 
 /// Even at a relative distance of 1e-15 to the critical amplitude this many are enough.
@@ -97,11 +99,10 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         half_period_fraction: time.map(|time| time.value * case.omega() / std::f64::consts::PI),
         impacts: history.impacts.len(),
         oracle,
-        method: if history.chattering_time.is_some() {
-            "its own sum"
-        } else {
-            "extrapolation in eta^2 (Eq. 75 to higher orders)"
-        },
+        method: time.map(|_| match history.chattering_time {
+            Some(_) => "its own sum",
+            None => "extrapolation in eta^2 (Eq. 75 to higher orders)",
+        }),
         ending: history.ending.to_string(),
     }
 }
@@ -112,8 +113,10 @@ fn text(answer: &Answer) -> String {
     }
     match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
         (Some(time), Some(uncertainty), Some(fraction)) => format!(
-            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:.15} T/2, complete, by {} from {} impacts ({})",
-            answer.oracle, answer.impacts, answer.method
+            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:?} T/2, complete, by {} from {} impacts, {}",
+            answer.oracle,
+            answer.impacts,
+            answer.method.unwrap_or_default()
         ),
         _ => format!("no chattering time: {} after {} impacts, by {}", answer.ending, answer.impacts, answer.oracle),
     }

@@ -3,6 +3,7 @@
 mod case_flags;
 mod chattering_time;
 mod oracles;
+mod output;
 mod reference;
 mod replay;
 mod report_files;

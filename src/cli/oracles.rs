@@ -1,7 +1,7 @@
 use chattercheck::panel;
 use clap::Args;
 
-use super::Verdict;
+use super::{Verdict, output::print};
 
 /// List the oracles, and which of them `verify` asks by default
 #[derive(Args)]
@@ -9,9 +9,11 @@ pub(super) struct Arguments {}
 
 pub(super) fn run(_: &Arguments) -> anyhow::Result<Verdict> {
     let default = panel::default();
+    let mut text = String::new();
     for oracle in panel::all() {
         let asked = if default.iter().any(|other| other.name() == oracle.name()) { "default" } else { "by name" };
-        println!("{:24} {:10} {asked}", oracle.name(), format!("{:?}", oracle.model()).to_lowercase());
+        text += &format!("{:24} {:10} {asked}\n", oracle.name(), format!("{:?}", oracle.model()).to_lowercase());
     }
+    print(&text)?;
     Ok(Verdict::Well)
 }

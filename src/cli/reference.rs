@@ -17,10 +17,10 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let folder = &arguments.out;
-    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     let bar = indicatif::ProgressBar::new_spinner();
     let (impacts, times) = reference::tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     write(&folder.join("linear_impacts.csv"), &impacts)?;
     write(&folder.join("linear_chattering_times.csv"), &times)?;
     Ok(Verdict::Well)

@@ -1,16 +1,11 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
-use chattercheck::{
-    generate::{Generator, Named},
-    panel,
-    replay::Replay,
-    report, verify,
-};
+use chattercheck::{generate::Named, panel, replay::Replay, report, verify};
 use clap::Args;
 use contract::Oracle;
 
-use super::{Verdict, report_files::ReportFiles};
+use super::{Verdict, output::print, report_files::ReportFiles};
 
 /// Run one stored disagreement again
 #[derive(Args)]
@@ -26,19 +21,23 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     arguments.files.check()?;
     let text = fs::read_to_string(&arguments.file).with_context(|| format!("cannot read {path}"))?;
     let (replay, case) = Replay::read(&text).with_context(|| path.to_string())?;
-    let panel = panel::select(&replay.oracles.join(","))?;
+    let panel = panel::select(&replay.oracles.join(",")).with_context(|| path.to_string())?;
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let cases = [Named { generator: Generator::List, name: replay.found_in.clone(), case }];
-    println!("found then: {}", replay.fault);
-    let (report, failures) = verify::run(&panel, &cases, replay.seed, Vec::new(), || ());
-    for failure in &report.failures {
-        println!("{}", report::failure_text(failure));
-    }
+    let cases = [Named::parse(&replay.found_in, case)];
+    let (report, _) = verify::run(&panel, &cases, replay.seed, None, || ());
     arguments.files.write(&report, &cases)?;
-    if failures.is_empty() {
-        println!("PASS: the oracles agree on this case now");
-        return Ok(Verdict::Well);
+    let mut text = format!("found then: {}\n", replay.fault);
+    for failure in &report.failures {
+        text += &format!("{}\n", report::failure_text(failure));
     }
-    println!("FAIL: the disagreement is still there");
-    Ok(Verdict::Disagreed)
+    for shortfall in &report.shortfalls {
+        text += &format!("SHORTFALL: {shortfall}\n");
+    }
+    let verdict = match (report.passes(), report.failures.is_empty()) {
+        (true, _) => "PASS: the oracles agree on this case now",
+        (false, true) => "FAIL: this says nothing about the disagreement",
+        (false, false) => "FAIL: the disagreement is still there",
+    };
+    print(&format!("{text}{verdict}\n"))?;
+    Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
 }

@@ -11,6 +11,7 @@ use chattercheck::{
     report::{self, Report},
 };
 use clap::Args;
+use contract::Invalid;
 
 #[derive(Args)]
 pub(super) struct ReportFiles {
@@ -25,6 +26,11 @@ pub(super) struct ReportFiles {
 impl ReportFiles {
     /// That the files can be written is found out before the work, not after it. What is in them stays.
     pub fn check(&self) -> anyhow::Result<()> {
+        if let (Some(json), Some(junit)) = (&self.json, &self.junit)
+            && json == junit
+        {
+            return Err(Invalid::new("junit", junit.display(), "another file than that of --json").into());
+        }
         for path in [&self.json, &self.junit].into_iter().flatten() {
             let existed = path.exists();
             OpenOptions::new()

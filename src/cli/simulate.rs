@@ -11,6 +11,9 @@ use super::{
 };
 
 /// One impact history
+///
+/// CSV columns n, tau, interval, velocity, sign: row 0 is initiation; velocity is that just after impact n, sign that of the flight that follows.
+/// The JSON document also has what the oracle claims: tau_uncertainty (absolute), interval_uncertainty and velocity_uncertainty (relative).
 #[derive(Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
@@ -41,12 +44,25 @@ struct Row {
     sign: i8,
 }
 
+/// A row of the JSON document, with what the oracle claims; `null` where it claims nothing.
+#[derive(Serialize)]
+struct ClaimedRow {
+    #[serde(flatten)]
+    row: Row,
+    /// Absolute.
+    tau_uncertainty: Option<f64>,
+    /// Relative.
+    interval_uncertainty: Option<f64>,
+    /// Relative.
+    velocity_uncertainty: Option<f64>,
+}
+
 #[derive(Serialize)]
 struct Document<'a> {
     oracle: &'a str,
     rocks: bool,
     ending: String,
-    impacts: Vec<Row>,
+    impacts: Vec<ClaimedRow>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
@@ -66,12 +82,32 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         }
         Format::Json => {
             let rocks = history.ending != Ending::NeverRocks;
-            let document = Document { oracle: oracle.name(), rocks, ending: history.ending.to_string(), impacts: rows };
+            let document = Document {
+                oracle: oracle.name(),
+                rocks,
+                ending: history.ending.to_string(),
+                impacts: claimed(rows, &history),
+            };
             writeln!(stdout, "{}", serde_json::to_string_pretty(&document)?)?;
         }
     }
     eprintln!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len());
-    Ok(Verdict::Well)
+    Ok(if matches!(history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
+}
+
+/// The rows with the claims of the oracle; initiation is exact.
+fn claimed(rows: Vec<Row>, history: &History) -> Vec<ClaimedRow> {
+    let claims = history.impacts.iter().map(|impact| Some(impact.uncertainty));
+    let finite = |claim: f64| Some(claim).filter(|claim| claim.is_finite());
+    rows.into_iter()
+        .zip(std::iter::once(None).chain(claims))
+        .map(|(row, claim)| ClaimedRow {
+            row,
+            tau_uncertainty: claim.and_then(|claim| finite(claim.time)),
+            interval_uncertainty: claim.and_then(|claim| finite(claim.interval)),
+            velocity_uncertainty: claim.and_then(|claim| finite(claim.velocity)),
+        })
+        .collect()
 }
 
 /// Nothing at all if the block never rocks, else initiation and the impacts.

@@ -1,16 +1,17 @@
 use chattercheck::tolerance::TABLE;
 use clap::Args;
 
-use super::Verdict;
+use super::{Verdict, output::print};
 
 /// Print the table of what is allowed beyond the oracles' own claims, and why
 #[derive(Args)]
 pub(super) struct Arguments {}
 
 pub(super) fn run(_: &Arguments) -> anyhow::Result<Verdict> {
-    println!("| applies to | value | what it is | reason |\n| --- | --- | --- | --- |");
+    let mut text = "| applies to | value | what it is | reason |\n| --- | --- | --- | --- |\n".to_owned();
     for entry in TABLE {
-        println!("| {} | {:?} | {} | {} |", entry.applies_to, entry.value, entry.meaning, entry.reason);
+        text += &format!("| {} | {:?} | {} | {} |\n", entry.applies_to, entry.value, entry.meaning, entry.reason);
     }
+    print(&text)?;
     Ok(Verdict::Well)
 }

@@ -2,6 +2,7 @@ use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
 use chattercheck::{
+    examine::Fault,
     ladder, panel,
     replay::Replay,
     report::{self, Report},
@@ -13,7 +14,7 @@ use contract::{Invalid, Oracle};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
-use super::{Verdict, report_files::ReportFiles};
+use super::{Verdict, output::print, report_files::ReportFiles};
 
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
 #[derive(Args)]
@@ -47,15 +48,28 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let partition = partition(&arguments.partition)?;
+    if arguments.cases > Request::MOST_CASES {
+        return Err(Invalid::new("cases", arguments.cases, "at most 1000000").into());
+    }
+    if panel.len() < 2 {
+        let wanted = arguments.oracles.as_deref().unwrap_or_default();
+        return Err(Invalid::new("oracles", wanted, "names of two oracles at least: one alone proves nothing").into());
+    }
     arguments.files.check()?;
     let cases = verify::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
+    if cases.is_empty() {
+        return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
+    }
     let bar = progress(cases.len() as u64, arguments.quiet);
-    let ladders = ladder::descend(&panel)?;
+    let ladders = Some(ladder::descend(&panel)?);
     let (report, failures) = verify::run(&panel, &cases, arguments.seed, ladders, || bar.inc(1));
     bar.finish_and_clear();
-    print!("{}", report::text(&report));
     arguments.files.write(&report, &cases)?;
-    write_replays(&panel, &report, &failures, &arguments.replays)?;
+    // A disagreement stays one where its replay files can't be written.
+    if let Err(error) = write_replays(&panel, &report, &failures, &arguments.replays) {
+        eprintln!("chattercheck: no replay files: {error:#}");
+    }
+    print(&report::text(&report))?;
     Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
 }
 
@@ -76,6 +90,14 @@ fn progress(length: u64, quiet: bool) -> ProgressBar {
     }
 }
 
+/// The oracles that a replay asks: those of the fault, and one to compare with.
+fn concerned(oracles: &[String], fault: &Fault) -> Vec<String> {
+    let of_fault = |oracle: &&String| fault.oracles().contains(&oracle.as_str());
+    let other = oracles.iter().find(|oracle| !of_fault(oracle));
+    let needed = if fault.oracles().len() < 2 { other } else { None };
+    oracles.iter().filter(of_fault).chain(needed).cloned().collect()
+}
+
 /// How many failures are shrunk and written.
 const MOST_REPLAYS: usize = 10;
 
@@ -86,7 +108,13 @@ fn write_replays(panel: &[&dyn Oracle], report: &Report, failures: &[Failure], f
         .take(MOST_REPLAYS)
         .filter_map(|failure| {
             let (case, fault) = shrink(panel, &failure.named.case, failure.faults.first()?);
-            Some(Replay::new(&case, &fault, failure.named.to_string(), report.seed, &report.oracles))
+            Some(Replay::new(
+                &case,
+                &fault,
+                failure.named.to_string(),
+                report.seed,
+                &concerned(&report.oracles, &fault),
+            ))
         })
         .collect();
     if !replays.is_empty() {

@@ -54,7 +54,7 @@ struct File {
 /// # Errors
 /// When the text is not a list, a value is not allowed, or a name comes twice.
 pub fn read(text: &str) -> Result<Vec<Listed>, LoadError> {
-    let file: File = toml::from_str(text).map_err(|error| LoadError::Form(one_line(&error)))?;
+    let file: File = toml::from_str(text).map_err(|error| LoadError::Form(one_line(&error, text)))?;
     let mut cases: Vec<Listed> = Vec::with_capacity(file.case.len());
     for mut entry in file.case {
         let mut text = |key: &str| match entry.remove(key) {
@@ -64,7 +64,7 @@ pub fn read(text: &str) -> Result<Vec<Listed>, LoadError> {
         let (name, why) = (text("name")?, text("why")?);
         // What is left must be a case and nothing else; flattening it into one struct would let unknown keys pass.
         let fields: CaseFields =
-            entry.try_into().map_err(|error| LoadError::Entry { name: name.clone(), wrong: one_line(&error) })?;
+            entry.try_into().map_err(|error| LoadError::Entry { name: name.clone(), wrong: one_line(&error, "") })?;
         if cases.iter().any(|listed| listed.name == name) {
             return Err(LoadError::Twice(name));
         }

@@ -38,6 +38,16 @@ pub struct Named {
     pub case: Case,
 }
 
+impl Named {
+    /// A case under the name that it was shown by; one that no generator made counts as listed.
+    pub fn parse(shown: &str, case: Case) -> Self {
+        let of = |generator: &Generator| shown.strip_prefix(generator.name())?.strip_prefix('/').map(str::to_owned);
+        let found = Generator::ALL.into_iter().find_map(|generator| Some((generator, of(&generator)?)));
+        let (generator, name) = found.unwrap_or((Generator::List, shown.to_owned()));
+        Self { generator, name, case }
+    }
+}
+
 impl fmt::Display for Named {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.generator.name(), self.name)

@@ -15,7 +15,7 @@ use crate::{
     generate::{Generator, Named},
     ladder::Descent,
     observables::Observable,
-    tolerance,
+    panel, tolerance,
     verify::Failure,
 };
 
@@ -81,6 +81,10 @@ pub struct Pair {
     pub impacts: usize,
     /// Of them, how many with claims so wide that any interval would have passed.
     pub vacuous: usize,
+    /// How many chattering times, and of them, how many in name only.
+    pub chattering_times: usize,
+    /// See `chattering_times`.
+    pub vacuous_times: usize,
     /// Cases in which one of the two gave no history.
     pub absent: usize,
     /// Cases that are different problems to the two, by reason.
@@ -210,6 +214,8 @@ impl Pair {
         self.compared = 1;
         self.impacts = comparison.impacts;
         self.vacuous = comparison.vacuous;
+        self.chattering_times = usize::from(comparison.chattering_time.is_some());
+        self.vacuous_times = usize::from(comparison.chattering_time == Some(false));
         match comparison.verdict {
             Verdict::Agree => {
                 for (&observable, &figure) in &comparison.worst {
@@ -225,6 +231,8 @@ impl Pair {
         self.compared += other.compared;
         self.impacts += other.impacts;
         self.vacuous += other.vacuous;
+        self.chattering_times += other.chattering_times;
+        self.vacuous_times += other.vacuous_times;
         self.absent += other.absent;
         self.too_close += other.too_close;
         self.disagreements += other.disagreements;
@@ -235,46 +243,77 @@ impl Pair {
     }
 }
 
+impl Pair {
+    /// The largest share of its allowance that an interval used.
+    fn used(&self) -> f64 {
+        self.worst.get(&Observable::Interval).map_or(0.0, |worst| worst.share)
+    }
+
+    /// What the comparisons of the pair fail to prove, if anything.
+    fn shortfall(&self) -> Option<String> {
+        let [one, two] = &self.oracles;
+        let too_many = |vacuous: usize, all: usize| vacuous as f64 > tolerance::VACUOUS.value * all as f64;
+        if self.impacts == 0 {
+            Some(format!("{one} and {two}: no impact was compared"))
+        } else if self.chattering_times == 0 {
+            Some(format!("{one} and {two}: no chattering time was compared"))
+        } else if too_many(self.vacuous, self.impacts) {
+            let (vacuous, impacts) = (self.vacuous, self.impacts);
+            Some(format!(
+                "{one} and {two} claim so little that {vacuous} of {impacts} impacts were compared in name only"
+            ))
+        } else if too_many(self.vacuous_times, self.chattering_times) {
+            let (vacuous, times) = (self.vacuous_times, self.chattering_times);
+            Some(format!(
+                "{one} and {two} claim so little that {vacuous} of {times} chattering times were compared in name only"
+            ))
+        } else if self.compared >= 100 && self.disagreements == 0 && self.used() < tolerance::USED.value {
+            Some(format!("{one} and {two} allow so much that the worst interval uses {:.1e} of it", self.used()))
+        } else if 2 * self.too_close > self.compared {
+            Some(format!("{one} and {two} end differently in {} of {} cases", self.too_close, self.compared))
+        } else {
+            None
+        }
+    }
+}
+
 impl Report {
-    /// The report of a run.
-    pub fn new(oracles: &[&str], seed: u64, tally: Tally, ladders: Vec<Descent>, failures: &[Failure]) -> Self {
+    /// The report of a run. A whole run has to prove something by itself; that of a few chosen cases only has to have compared anything.
+    pub fn new(
+        oracles: &[&str],
+        seed: u64,
+        tally: Tally,
+        ladders: Vec<Descent>,
+        failures: &[Failure],
+        whole: bool,
+    ) -> Self {
         let name = |place: usize| oracles.get(place).copied().unwrap_or_default().to_owned();
         let pairs: Vec<Pair> =
             tally.pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
-        let silent = oracles
-            .iter()
-            .filter(|oracle| !tally.answered.contains_key(**oracle))
-            .map(|oracle| format!("{oracle} answered no case: a gate where everything is declined proves nothing"));
-        let alone = (pairs.is_empty()).then(|| "fewer than two oracles: nothing was compared".to_owned());
-        let apart = pairs
-            .iter()
-            .filter(|pair| pair.compared == 0)
-            .map(|pair| format!("{} and {} were never compared", pair.oracles[0], pair.oracles[1]));
-        let wide = pairs
-            .iter()
-            .filter(|pair| pair.vacuous as f64 > tolerance::VACUOUS.value * pair.impacts as f64)
-            .map(|pair| {
-                let [one, two] = &pair.oracles;
-                format!(
-                    "{one} and {two} claim so little that {} of {} impacts were compared in name only",
-                    pair.vacuous, pair.impacts
-                )
+        let shortfalls = if whole {
+            let silent = oracles
+                .iter()
+                .filter(|oracle| !tally.answered.contains_key(**oracle))
+                .map(|oracle| format!("{oracle} answered no case: a gate where everything is declined proves nothing"));
+            let declined = tally.declines.iter().filter_map(|(oracle, reasons)| {
+                let (declined, cases) = (reasons.values().sum::<usize>(), tally.reach.cases);
+                let allowed = panel::may_decline(oracle) * cases as f64;
+                let too_many = declined as f64 > allowed.max(MOST_DECLINES_OF_FEW);
+                too_many.then(|| {
+                    format!("{oracle} declined {declined} of {cases} cases, {allowed:.0} expected at the most")
+                })
             });
-        let crooked = ladders.iter().filter(|descent| !descent.holds()).map(|descent| {
-            let order =
-                descent.order.map_or("none that the claims can resolve".to_owned(), |order| format!("{order:.3}"));
-            format!(
-                "{} ({} against {}, omega = {}, eta = {}): observed order {order}, expected {} ± {}",
-                descent.ladder.says(),
-                descent.oracles[0],
-                descent.oracles[1],
-                descent.omega,
-                descent.eta,
-                descent.expected.0,
-                descent.expected.1
-            )
-        });
-        let shortfalls: Vec<String> = silent.chain(alone).chain(apart).chain(wide).chain(crooked).collect();
+            let alone = (oracles.len() < 2).then(|| "fewer than two oracles: nothing was compared".to_owned());
+            let crooked = ladders.iter().filter(|descent| !descent.holds()).map(Descent::describe);
+            silent.chain(declined).chain(alone).chain(pairs.iter().filter_map(Pair::shortfall)).chain(crooked).collect()
+        } else if pairs.iter().all(|pair| pair.impacts == pair.vacuous) {
+            vec![
+                "nothing was compared: the oracles declined, or claim so little that nearly anything would have passed"
+                    .to_owned(),
+            ]
+        } else {
+            Vec::new()
+        };
         let failures: Vec<FailedCase> = failures
             .iter()
             .map(|failure| FailedCase {
@@ -304,6 +343,9 @@ impl Report {
         self.failures.is_empty() && self.shortfalls.is_empty()
     }
 }
+
+/// In a run of few cases as many declines prove nothing.
+const MOST_DECLINES_OF_FEW: f64 = 10.0;
 
 /// A short name for an ending, for counting.
 fn ending_name(ending: Ending) -> String {

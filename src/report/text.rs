@@ -46,8 +46,8 @@ pub fn text(report: &Report) -> String {
     line(
         &mut out,
         "Worst figure of each pair: the difference, and how much of the allowance it used. Allowed is the sum of what the two claim,\n\
-         and across models the model gap. Intervals, velocities and ratios are relative. wide: impacts with claims so wide that any\n\
-         interval would pass; red: cases in which the two disagree.",
+         and across models the model gap. Intervals, velocities and ratios are relative. wide: impacts with claims so wide that nearly\n\
+         anything would pass; close: cases nearer to a_cr than the claims can tell; red: cases in which the two disagree.",
     );
     line(&mut out, &pairs(report));
     line(&mut out, "");
@@ -71,10 +71,13 @@ pub fn text(report: &Report) -> String {
     if report.failures.len() > SHOWN {
         line(&mut out, &format!("and {} more failed cases, all in the JSON report", report.failures.len() - SHOWN));
     }
-    let verdict = if report.passes() { "PASS: every oracle agrees with every other" } else { "FAIL" };
-    let count =
-        if report.passes() { String::new() } else { format!(": {} of {} cases", report.failures.len(), reach.cases) };
-    line(&mut out, &format!("{verdict}{count}"));
+    let (failed, short) = (report.failures.len(), report.shortfalls.len());
+    let verdict = if report.passes() {
+        "PASS: every oracle agrees with every other".to_owned()
+    } else {
+        format!("FAIL: {failed} of {} cases failed; {short} shortfalls of the run as a whole", reach.cases)
+    };
+    line(&mut out, &verdict);
     out
 }
 
@@ -91,10 +94,14 @@ fn pairs(report: &Report) -> String {
     ];
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
-    table.set_header(["pair", "cases", "impacts", "wide", "red"].into_iter().chain(COLUMNS.map(|(_, head)| head)));
+    table.set_header(
+        ["pair", "cases", "impacts", "wide", "close", "red"].into_iter().chain(COLUMNS.map(|(_, head)| head)),
+    );
     for pair in &report.pairs {
         let wide = format!("{:.0}%", 100.0 * pair.vacuous as f64 / pair.impacts.max(1) as f64);
-        let counts = [pair.compared.to_string(), pair.impacts.to_string(), wide, pair.disagreements.to_string()];
+        let count = |count: usize| count.to_string();
+        let counts =
+            [count(pair.compared), count(pair.impacts), wide, count(pair.too_close), count(pair.disagreements)];
         let figures = COLUMNS.map(|(observable, _)| pair.worst.get(&observable).map_or("-".to_owned(), figure));
         let name = format!("{} : {}", pair.oracles[0], pair.oracles[1]);
         table.add_row(std::iter::once(name).chain(counts).chain(figures));
@@ -154,7 +161,20 @@ pub fn failure_text(failure: &FailedCase) -> String {
     for fault in &failure.faults {
         let _ = write!(out, "\n  {}", fault_text(fault));
     }
+    if let Some(suspect) = suspect(&failure.faults) {
+        let _ = write!(out, "\n  in every failing pair: {suspect}");
+    }
     out
+}
+
+/// The one oracle that is in all of several failing pairs.
+fn suspect(faults: &[Fault]) -> Option<&str> {
+    let pairs: Vec<Vec<&str>> = faults.iter().map(Fault::oracles).filter(|oracles| oracles.len() == 2).collect();
+    let mut in_all = pairs.first()?.iter().filter(|oracle| pairs.iter().all(|pair| pair.contains(oracle)));
+    match (pairs.len(), in_all.next(), in_all.next()) {
+        (2.., Some(oracle), None) => Some(oracle),
+        _ => None,
+    }
 }
 
 /// One fault in one line: who, what, where first, and by how much.

@@ -33,6 +33,15 @@ impl Oracle for Asymptotic {
             value: case.eta(),
             allowed: "eta <= 0.995, up to which the claims were calibrated",
         })?;
+        for (field, value, range, allowed) in [
+            ("eta", case.eta(), 1e-3..=1.0, "eta >= 1e-3"),
+            ("omega", case.omega(), 1e-3..=1e6, "1e-3 <= omega <= 1e6"),
+            ("epsilon", case.epsilon(), 1e-60..=1e9, "1e-60 <= epsilon"),
+        ] {
+            if !range.contains(&value) {
+                return Err(Decline::OutOfRange { field, value, allowed });
+            }
+        }
         let chattering_time = chattering_time(case, sums)?;
         let (impacts, ending) = impacts(case, chattering_time);
         Ok(History { impacts, ending, chattering_time: Some(chattering_time) })

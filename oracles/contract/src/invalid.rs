@@ -1,4 +1,7 @@
-use alloc::string::{String, ToString};
+use alloc::{
+    format,
+    string::{String, ToString},
+};
 use core::fmt;
 
 /// A value that was refused: which field, what it was, and what would have been allowed.
@@ -20,7 +23,7 @@ impl Invalid {
 
     /// `value` itself if `holds`, else the error. A value that is not finite never holds.
     pub(crate) fn unless(holds: bool, field: &'static str, value: f64, allowed: &'static str) -> Result<f64, Self> {
-        if holds && value.is_finite() { Ok(value) } else { Err(Self::new(field, value, allowed)) }
+        if holds && value.is_finite() { Ok(value) } else { Err(Self::new(field, format!("{value:?}"), allowed)) }
     }
 }
 

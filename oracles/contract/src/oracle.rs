@@ -73,7 +73,7 @@ impl fmt::Display for Decline {
         match self {
             Self::NeedsSlenderness => f.write_str("the model needs a slenderness (alpha)"),
             Self::OutOfRange { field, value, allowed } => {
-                write!(f, "{field} = {value} is outside what this method can do: {allowed}")
+                write!(f, "{field} = {value:?} is outside what this method can do: {allowed}")
             }
             Self::NotConvergent { why } => f.write_str(why),
             Self::Unsupported { what } => write!(f, "this method does not do {what}"),

@@ -133,7 +133,7 @@ impl Ode {
         if (1e-13..=1e-2).contains(&rtol) {
             Ok(Self { rtol, ..self })
         } else {
-            Err(Invalid::new("rtol", rtol, "1e-13 <= rtol <= 1e-2"))
+            Err(Invalid::new("rtol", format!("{rtol:?}"), "1e-13 <= rtol <= 1e-2"))
         }
     }
 

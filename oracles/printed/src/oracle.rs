@@ -28,6 +28,8 @@ const DIGITS_OF_A_DOUBLE: usize = 20;
 const MORE_BITS: usize = 128;
 /// Decimals in which two computations agree that are not shown: one for the measure of agreement itself, one for safety.
 const HIDDEN_DIGITS: usize = 2;
+/// How many impacts times bits a history is computed for: a few seconds.
+const MOST_WORK: usize = 300_000;
 /// The depths at which the chattering time is extrapolated, until two of them agree.
 const DEPTHS: [usize; 8] = [24, 36, 54, 80, 120, 180, 270, 400];
 
@@ -158,6 +160,10 @@ impl Oracle for Printed {
         let Some(bits) = bits_for(case, DIGITS_OF_A_DOUBLE, case.max_impacts())? else {
             return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
         };
+        if bits.saturating_mul(case.max_impacts()) > MOST_WORK {
+            let allowed = "so few that impacts times the bits that they need stay below 300,000: this method is slow";
+            return Err(Decline::OutOfRange { field: "impacts", value: case.max_impacts() as f64, allowed });
+        }
         let (impacts, ending) = follow_in(&Arithmetic::new(bits)?, case)?;
         Ok(History { impacts: impacts.iter().map(rounded).collect(), ending, chattering_time: None })
     }
