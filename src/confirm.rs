@@ -25,7 +25,7 @@ pub fn breach(panel: &[&dyn Oracle], case: &Case, answers: &[Answer], place: usi
         }
         Ending::Overturned => {
             let rocks = |ending| matches!(ending, Ending::Incomplete | Ending::LimitReached(Limit::Time));
-            let other = ending_of_another(answers, answer, |ending| rocks(ending))?;
+            let other = ending_of_another(answers, answer, rocks)?;
             let later = Horizon::Until(horizon(case) + 2.0 * std::f64::consts::PI / case.omega());
             let followed = ask(*panel.get(other)?, &case.with_horizon(later).ok()?);
             let landed = followed.observed()?.history.impacts.get(history.impacts.len())?;

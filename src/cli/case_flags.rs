@@ -13,26 +13,26 @@ pub(crate) struct CaseFlags {
         value_name = "A",
         required_unless_present = "epsilon",
         conflicts_with = "epsilon",
-        allow_hyphen_values = true
+        allow_hyphen_values = true, value_parser = number
     )]
     a: Option<f64>,
     /// a - 1, without the rounding of a
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
     epsilon: Option<f64>,
     /// Frequency ratio omega_g/p
-    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = number)]
     omega: f64,
     /// Coefficient of restitution
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
     eta: f64,
     /// Slenderness angle in radians, for the nonlinear model
-    #[arg(long, value_name = "RAD", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RAD", allow_hyphen_values = true, value_parser = number)]
     alpha: Option<f64>,
     /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
     #[arg(long, value_name = "threshold|slender", requires = "alpha")]
     normalisation: Option<String>,
     /// Follow the block to this time tau, past half a period if it still rocks
-    #[arg(long, value_name = "TAU", allow_hyphen_values = true)]
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ pub(crate) struct OracleFlags {
     #[arg(long, value_name = "METHOD")]
     method: Option<String>,
     /// For ode: the relative tolerance [default: the method's own]
-    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = number)]
     rtol: Option<f64>,
     /// For ode: each flight in its own units, or all on one clock: rescaled or naive [default: rescaled]
     #[arg(long, value_name = "FLIGHTS")]
@@ -85,4 +85,9 @@ impl OracleFlags {
         };
         panel::one(&self.oracle, &settings, fallback)
     }
+}
+
+/// A number of the command line. Whether its value is allowed is for the contract to say.
+fn number(text: &str) -> Result<f64, &'static str> {
+    text.parse().map_err(|_| "not a number; allowed is one as in 1.03 or 1e-3")
 }
