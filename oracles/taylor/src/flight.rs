@@ -1,0 +1,195 @@
+//! One flight: from an impact (or from initiation) to the next, in as many steps as its series need.
+
+use contract::Loss;
+
+use crate::equation::{Block, Forcing};
+use crate::series::{ORDER, Scale, evaluate, expand};
+
+/// How a flight ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Landing {
+    /// With an impact.
+    Impact {
+        /// How long the flight lasted.
+        interval: f64,
+        /// The speed just before the impact.
+        speed: f64,
+    },
+    /// In the air at the horizon.
+    Flying,
+    /// Past the point of no return.
+    Overturned,
+    /// Nowhere: the solver lost it.
+    Lost(Loss),
+}
+
+/// How many steps one flight may take.
+const MOST_STEPS: usize = 2_000_000;
+/// How many parts of a step are searched for a sign change.
+const PARTS: u32 = 12;
+/// What the series may leave off, in multiples of its leading term.
+const TRUNCATION: f64 = 1e-18;
+/// The longest step, in units of the flight's own time.
+const LONGEST: f64 = 2.0;
+
+/// The flight of sign `side` that leaves at `tau` with speed `speed`, or with jerk if `speed` is 0 (initiation), and may last
+/// until `remaining` later.
+pub fn fly(block: &Block, side: f64, tau: f64, speed: f64, remaining: f64) -> Landing {
+    let start = block.forcing(side, tau);
+    let first = speed == 0.0;
+    let (scale, rate) = if first { first_scale(block) } else { scale(block, &start, speed) };
+    let order = order(rate);
+    let mut state = if first { (0.0, 0.0) } else { (0.0, 1.0) };
+    let mut multiplicity = if first { 3 } else { 1 };
+    let mut forcing = start;
+    if first {
+        forcing.gravity = 0.0;
+    }
+    let mut elapsed = 0.0;
+    for _ in 0..MOST_STEPS {
+        let series = expand(block, &forcing, &scale, state, order);
+        let deflated = series.from(multiplicity);
+        if !deflated.iter().all(|c| c.is_finite()) {
+            return Landing::Lost(Loss::NotFinite);
+        }
+        let step = reliable(deflated, if multiplicity > 0 { 1 } else { 3 });
+        let ends = elapsed + step * scale.time >= remaining;
+        let step = if ends { ((remaining - elapsed) / scale.time).min(step) } else { step };
+        match first_root(deflated, step) {
+            Root::At(x) => {
+                let speed = -evaluate(series.from(0), x).1 * scale.velocity;
+                return Landing::Impact { interval: elapsed + x * scale.time, speed };
+            }
+            Root::Below => return Landing::Lost(Loss::FellThrough),
+            Root::None => {}
+        }
+        state = evaluate(series.from(0), step);
+        if block.overturned(state.0 * scale.velocity * scale.time, state.1) {
+            return Landing::Overturned;
+        }
+        if ends {
+            return Landing::Flying;
+        }
+        let before = elapsed;
+        elapsed += step * scale.time;
+        if elapsed <= before {
+            return Landing::Lost(Loss::Stalled);
+        }
+        multiplicity = 0;
+        forcing = block.forcing(side, tau + elapsed);
+    }
+    Landing::Lost(Loss::SolverFailed)
+}
+
+/// The longest time in which every term of the equation stays expandable: the excitation and the block itself.
+fn cap(block: &Block) -> f64 {
+    block.cos_alpha.sqrt() / block.omega.max(1.0)
+}
+
+/// The units of the first flight, and how fast its series converges at most. `u = K (qω s³/6 - ω² s⁴/24 + ...)` lands near
+/// `s = 4q/ω`; `P = K qω T³`.
+fn first_scale(block: &Block) -> (Scale, f64) {
+    let jerk = block.slope * block.q * block.omega;
+    let time = (4.0 * block.q / block.omega).min(cap(block)).min((1.0 / (block.alpha * jerk)).cbrt());
+    (Scale { time, velocity: jerk * time * time }, 1.0)
+}
+
+/// The units of a later flight: those of the parabola that lands at `s = 2 v/(K G)`, or of the cubic where `G` is near 0.
+fn scale(block: &Block, forcing: &Forcing, speed: f64) -> (Scale, f64) {
+    let parabola = 2.0 * speed / (block.slope * forcing.gravity.abs());
+    let cubic = (6.0 * speed / (block.slope * block.omega * forcing.slope.abs())).sqrt();
+    let cap = cap(block);
+    let time = cap.min(1.0 / (block.alpha * speed)).min(parabola).min(cubic);
+    (Scale { time, velocity: speed }, (time / cap).max(block.alpha * speed * time))
+}
+
+/// The order that a series needs whose terms fall off as `rate^k`, at twice its unit of time; five terms more for what is
+/// not of that size.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn order(rate: f64) -> usize {
+    let digits = -(2.0 * rate).ln();
+    if digits <= 2.2 { ORDER } else { (5.0 + 42.0 / digits).ceil() as usize }
+}
+
+/// How far the series may be trusted: where its last two terms are negligible against the largest of the `leading` first ones.
+fn reliable(deflated: &[f64], leading: usize) -> f64 {
+    let lead = deflated.iter().take(leading).fold(0.0, |m: f64, c| m.max(c.abs()));
+    let allowed = TRUNCATION * lead;
+    deflated.iter().enumerate().rev().take(2).fold(LONGEST, |step, (k, c)| {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
+        let power = k as i32;
+        if c.abs() * LONGEST.powi(power) <= allowed { step } else { step.min((allowed / c.abs()).powf(1.0 / f64::from(power))) }
+    })
+}
+
+/// Where the polynomial is first 0 in a step.
+enum Root {
+    /// Nowhere.
+    None,
+    /// It is not positive at the start.
+    Below,
+    /// Here.
+    At(f64),
+}
+
+/// The first root in `(0, step]` of the deflated polynomial, which has to be positive at 0.
+fn first_root(deflated: &[f64], step: f64) -> Root {
+    let (value, slope) = evaluate(deflated, 0.0);
+    if value <= 0.0 {
+        return Root::Below;
+    }
+    let (end, _) = evaluate(deflated, step);
+    // Where the higher terms cannot turn the linear one round, the polynomial falls all the way and has one root at most.
+    let (mut bend, mut power, mut k) = (0.0, step, 2.0);
+    for c in deflated.iter().skip(2) {
+        bend += k * c.abs() * power;
+        power *= step;
+        k += 1.0;
+    }
+    if bend < -slope {
+        return if end > 0.0 { Root::None } else { Root::At(polish(deflated, 0.0, step)) };
+    }
+    let (mut left, mut left_slope) = (0.0, slope);
+    for part in 1..=PARTS {
+        let right = step * f64::from(part) / f64::from(PARTS);
+        let (value, slope) = evaluate(deflated, right);
+        if value <= 0.0 {
+            return Root::At(polish(deflated, left, right));
+        }
+        if left_slope < 0.0 && slope > 0.0 {
+            // A minimum in between: it may dip below 0.
+            let lowest = minimum(deflated, left, right);
+            if evaluate(deflated, lowest).0 <= 0.0 {
+                return Root::At(polish(deflated, left, lowest));
+            }
+        }
+        (left, left_slope) = (right, slope);
+    }
+    Root::None
+}
+
+/// The minimum between two points, by bisection of the slope.
+fn minimum(polynomial: &[f64], mut left: f64, mut right: f64) -> f64 {
+    for _ in 0..60 {
+        let middle = 0.5 * (left + right);
+        if evaluate(polynomial, middle).1 < 0.0 { left = middle } else { right = middle }
+    }
+    0.5 * (left + right)
+}
+
+/// The root between a positive and a non-positive value, by Newton steps that stay inside the bracket.
+fn polish(polynomial: &[f64], mut left: f64, mut right: f64) -> f64 {
+    let mut x = 0.5 * (left + right);
+    for _ in 0..80 {
+        let (value, slope) = evaluate(polynomial, x);
+        if value > 0.0 { left = x } else { right = x }
+        let newton = x - value / slope;
+        let next = if newton >= left && newton <= right { newton } else { 0.5 * (left + right) };
+        let moved = (next - x).abs();
+        x = next;
+        if moved <= 1e-16 * x {
+            break;
+        }
+    }
+    x
+}

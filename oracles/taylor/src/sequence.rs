@@ -1,0 +1,80 @@
+//! The history: flight after flight, and what is claimed of it.
+
+use contract::{Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
+
+use crate::equation::Block;
+use crate::flight::{Landing, fly};
+
+/// Below this speed a history ends: the next quantities would come near to the smallest double.
+const SLOWEST: f64 = 1e-280;
+
+/// The history of `block`, with claims from the differences to that of `perturbed`: a run whose parameters are changed by
+/// more than what rounding does to them in all flights. The claim is twice the largest relative difference so far, and
+/// `2e-14 + 2e-16 n`; it is infinite where the perturbed run has no such impact.
+pub fn history(block: &Block, perturbed: &Block, horizon: Horizon, most: usize) -> History {
+    let (mut impacts, ending) = run(block, horizon, most);
+    let (others, _) = run(perturbed, horizon, impacts.len());
+    let mut worst = (0.0, 0.0, 0.0);
+    let mut others = others.iter();
+    let mut floor = 2e-14;
+    for impact in &mut impacts {
+        worst = others.next().map_or((f64::INFINITY, f64::INFINITY, f64::INFINITY), |other| {
+            (
+                difference(impact.time, other.time).max(worst.0),
+                difference(impact.interval, other.interval).max(worst.1),
+                difference(impact.velocity, other.velocity).max(worst.2),
+            )
+        });
+        floor += 2e-16;
+        impact.uncertainty = Uncertainty {
+            time: impact.time * (2.0 * worst.0 + floor),
+            interval: 2.0 * worst.1 + floor,
+            velocity: 2.0 * worst.2 + floor,
+        };
+    }
+    History { impacts, ending, chattering_time: None }
+}
+
+/// `|b/a - 1|`.
+fn difference(a: f64, b: f64) -> f64 {
+    ((b - a) / a).abs()
+}
+
+/// The impacts of `block` without claims, and why they end.
+fn run(block: &Block, horizon: Horizon, most: usize) -> (Vec<Impact>, Ending) {
+    let (end, beyond) = match horizon {
+        Horizon::HalfPeriod => (core::f64::consts::PI / block.omega, Ending::Incomplete),
+        Horizon::Until(time) => (time, Ending::LimitReached(Limit::Time)),
+    };
+    let mut impacts = Vec::with_capacity(most.min(1024));
+    let (mut high, mut low) = (0.0_f64, 0.0_f64);
+    let (mut side, mut speed) = (-1.0, 0.0);
+    while impacts.len() < most {
+        let (interval, arrival) = match fly(block, side, high + low, speed, (end - high) - low) {
+            Landing::Impact { interval, speed } => (interval, speed),
+            Landing::Flying => return (impacts, beyond),
+            Landing::Overturned => return (impacts, Ending::Overturned),
+            Landing::Lost(loss) => return (impacts, Ending::Lost(loss)),
+        };
+        // Neumaier's sum: the intervals soon fall below the rounding of the time.
+        let sum = high + interval;
+        low += if high >= interval { (high - sum) + interval } else { (interval - sum) + high };
+        high = sum;
+        if high + low >= end {
+            return (impacts, beyond);
+        }
+        side = -side;
+        speed = block.eta * arrival;
+        if !(interval > 0.0 && speed > 0.0 && speed.is_finite()) {
+            return (impacts, Ending::Lost(Loss::NotFinite));
+        }
+        let uncertainty = Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
+        impacts.push(Impact { time: high + low, interval, velocity: side * speed, uncertainty });
+        if speed < SLOWEST {
+            let certain = block.certainly_rests(high + low, speed);
+            return (impacts, if certain { Ending::AtRest } else { Ending::Lost(Loss::Stalled) });
+        }
+    }
+    let certain = block.certainly_rests(high + low, speed);
+    (impacts, if certain { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) })
+}
