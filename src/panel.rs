@@ -5,6 +5,7 @@ use closed_form::ClosedForm;
 use contract::{Invalid, Oracle};
 use ode::{Equation, Flights, Method, Ode};
 use printed::Printed;
+use taylor::Taylor;
 
 /// Oracles that are asked the same cases.
 pub type Panel = Vec<Box<dyn Oracle>>;
@@ -27,6 +28,7 @@ pub fn default() -> Panel {
         Box::new(Ode::new(Equation::Linear, Method::TrBdf2)),
         Box::new(Ode::new(Equation::Linear, Method::Esdirk34)),
         Box::new(Ode::new(Equation::Nonlinear, Method::Tsit45)),
+        Box::new(Taylor),
         Box::new(Asymptotic),
     ]
 }
@@ -87,7 +89,7 @@ pub struct OdeSettings<'a> {
     pub rtol: Option<f64>,
 }
 
-/// One oracle by its name: `closed-form`, `ode`, `asymptotic` or `printed`. `equation` is the one that an ODE oracle solves if the settings
+/// One oracle by its name: `closed-form`, `ode` (or its full name), `taylor`, `asymptotic` or `printed`. `equation` is the one that an ODE oracle solves if the settings
 /// don't say.
 ///
 /// # Errors
@@ -108,9 +110,10 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
     let simple: Box<dyn Oracle> = match name {
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
         "closed-form" => Box::new(ClosedForm),
+        "taylor" => Box::new(Taylor),
         "asymptotic" => Box::new(Asymptotic),
         "printed" => Box::new(Printed::default()),
-        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, asymptotic or printed")),
+        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic or printed")),
     };
     let OdeSettings { equation, method, flights, rtol } = *settings;
     let given = [

@@ -40,6 +40,7 @@ impl Oracle for Faulty {
 const CLOSED: &str = "closed-form";
 const ODE: &str = "ode/linear/tsit45";
 const NONLINEAR: &str = "ode/nonlinear/tsit45";
+const TAYLOR: &str = "taylor";
 const SERIES: &str = "asymptotic";
 
 fn same(case: &Case) -> Case {
@@ -71,7 +72,7 @@ fn run(panel: &[Box<dyn Oracle>]) -> Report {
 
 /// The panel that faults are planted in: one oracle of each kind.
 fn small_panel() -> Vec<Box<dyn Oracle>> {
-    panel::select(&[CLOSED, ODE, NONLINEAR, SERIES].join(",")).unwrap()
+    panel::select(&[CLOSED, ODE, NONLINEAR, TAYLOR, SERIES].join(",")).unwrap()
 }
 
 fn planted(name: &str, ask: fn(&Case) -> Case, answer: fn(&Case, &mut History)) -> Report {
@@ -151,6 +152,20 @@ fn slenderness_taken_with_the_wrong_normalisation() {
         None => *case,
     };
     caught(&planted(NONLINEAR, ask, untouched), NONLINEAR, CLOSED, Observable::Interval, 1);
+}
+
+#[test]
+fn slenderness_off_by_1e_4() {
+    // Far within the gap between the models: it takes a second nonlinear method to see it.
+    let ask = |case: &Case| match case.slenderness() {
+        Some(s) => case.with_slenderness(Slenderness::new(s.alpha() * (1.0 + 1e-4), s.normalisation()).unwrap()),
+        None => *case,
+    };
+    let report = planted(NONLINEAR, ask, untouched);
+    caught(&report, NONLINEAR, TAYLOR, Observable::Interval, 1);
+    assert!(
+        report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&NONLINEAR))
+    );
 }
 
 #[test]

@@ -15,6 +15,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     // diffsol is the generic solver that this oracle is about
     ("ode", &["contract", "diffsol"]),
     ("asymptotic", &["contract"]),
+    ("taylor", &["contract"]),
     // arithmetic with many digits
     ("printed", &["contract", "astro-float"]),
 ];

@@ -63,8 +63,7 @@ impl Block {
     pub fn forcing(&self, side: f64, tau: f64) -> Forcing {
         let (sh, ch) = (0.5 * self.omega * tau).sin_cos();
         let (sin, cos) = (2.0 * sh * ch, (ch - sh) * (ch + sh));
-        let gravity =
-            if side < 0.0 { 2.0 * sh * (sh - self.q * ch) } else { 2.0 * ch * (ch + self.q * sh) };
+        let gravity = if side < 0.0 { 2.0 * sh * (sh - self.q * ch) } else { 2.0 * ch * (ch + self.q * sh) };
         Forcing { gravity, value: side * (self.q * sin + cos), slope: side * (self.q * cos - sin) }
     }
 
@@ -78,19 +77,21 @@ impl Block {
 
     /// Whether infinitely many impacts are certain to follow one after which the block leaves with speed `w` at `tau`.
     ///
-    /// The way of section 8 of the theory notes, for `α <= 1/2`. In a window `r = x min(G)/(ωa + 4w)`, both `G` keep `1 - x`
-    /// of their value, rotation included: with `u <= w r`, `u/cos α` is at most `1.2 K w r`. A flight of length `Δτ` has an
-    /// acceleration that varies by at most `K (ωa + 4w) Δτ`, and so multiplies its speed by at most
+    /// The way of section 8 of the theory notes. While `0 < G < 2` and `u < 1`, the acceleration towards the base differs from
+    /// `K G` by at most `u/cos α + K G α²u²/2 <= 2 κ K u`, with `κ = α/(sin α cos α)`. In a window `r = x min(G)/(ωa + 4κw)`
+    /// it therefore keeps `1 - x` of `K G`, as no flight that leaves with at most `1.4 w` rises above `0.7 w Δτ`. Over a flight
+    /// of length `Δτ` it varies by at most `K (ωa + 4κw) Δτ`, which multiplies the speed by at most
     /// `sqrt(M/m) <= exp((M - m)/(2m))`; over all flights of the window that makes `exp(x/(2(1 - x))) < 1.4` for `x = 0.4`.
     /// Hence the flights last at most `1.4/(1 - x)` times their geometric sum, and all fit into the window when that is below `r`.
     pub fn certainly_rests(&self, tau: f64, w: f64) -> bool {
         const X: f64 = 0.4;
         let (ga, gb) = (self.forcing(1.0, tau).gravity, self.forcing(-1.0, tau).gravity);
         let (low, high) = (ga.min(gb), ga.max(gb));
-        if !(low > 0.0 && self.alpha <= 0.5) {
+        if low <= 0.0 || low.is_nan() {
             return false;
         }
-        let window = X * low / (self.omega * self.amplitude + 4.0 * w);
+        let kappa = 1.0 / (self.slope * self.cos_alpha);
+        let window = X * low / (self.omega * self.amplitude + 4.0 * kappa * w);
         let sum = 2.0 * w * (1.0 / low + self.eta / high) / ((1.0 - self.eta * self.eta) * self.slope);
         1.4 * sum <= (1.0 - X) * window
     }

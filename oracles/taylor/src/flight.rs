@@ -14,6 +14,8 @@ pub enum Landing {
         interval: f64,
         /// The speed just before the impact.
         speed: f64,
+        /// How many steps it took.
+        steps: u32,
     },
     /// In the air at the horizon.
     Flying,
@@ -24,7 +26,7 @@ pub enum Landing {
 }
 
 /// How many steps one flight may take.
-const MOST_STEPS: usize = 2_000_000;
+const MOST_STEPS: u32 = 2_000_000;
 /// How many parts of a step are searched for a sign change.
 const PARTS: u32 = 12;
 /// What the series may leave off, in multiples of its leading term.
@@ -46,19 +48,19 @@ pub fn fly(block: &Block, side: f64, tau: f64, speed: f64, remaining: f64) -> La
         forcing.gravity = 0.0;
     }
     let mut elapsed = 0.0;
-    for _ in 0..MOST_STEPS {
+    for steps in 1..=MOST_STEPS {
         let series = expand(block, &forcing, &scale, state, order);
         let deflated = series.from(multiplicity);
         if !deflated.iter().all(|c| c.is_finite()) {
             return Landing::Lost(Loss::NotFinite);
         }
-        let step = reliable(deflated, if multiplicity > 0 { 1 } else { 3 });
+        let step = reliable(deflated, leading(multiplicity, &forcing));
         let ends = elapsed + step * scale.time >= remaining;
         let step = if ends { ((remaining - elapsed) / scale.time).min(step) } else { step };
         match first_root(deflated, step) {
             Root::At(x) => {
                 let speed = -evaluate(series.from(0), x).1 * scale.velocity;
-                return Landing::Impact { interval: elapsed + x * scale.time, speed };
+                return Landing::Impact { interval: elapsed + x * scale.time, speed, steps };
             }
             Root::Below => return Landing::Lost(Loss::FellThrough),
             Root::None => {}
@@ -95,12 +97,16 @@ fn first_scale(block: &Block) -> (Scale, f64) {
 }
 
 /// The units of a later flight: those of the parabola that lands at `s = 2 v/(K G)`, or of the cubic where `G` is near 0.
+/// Where `G < 0` pushes the block away, it lands no sooner than `s = 3 |G|/(ω f')`, however slowly it left.
 fn scale(block: &Block, forcing: &Forcing, speed: f64) -> (Scale, f64) {
-    let parabola = 2.0 * speed / (block.slope * forcing.gravity.abs());
-    let cubic = (6.0 * speed / (block.slope * block.omega * forcing.slope.abs())).sqrt();
+    let pull = block.slope * forcing.gravity.abs();
+    let jerk = block.slope * block.omega * forcing.slope.abs();
+    let landing = (2.0 * speed / pull).min((6.0 * speed / jerk).sqrt());
+    let pushed = if forcing.gravity < 0.0 { (3.0 * pull / jerk).min((block.alpha * pull).sqrt().recip()) } else { 0.0 };
     let cap = cap(block);
-    let time = cap.min(1.0 / (block.alpha * speed)).min(parabola).min(cubic);
-    (Scale { time, velocity: speed }, (time / cap).max(block.alpha * speed * time))
+    let time = cap.min(1.0 / (block.alpha * speed)).min(landing.max(pushed));
+    let rate = if forcing.gravity < 0.0 { 1.0 } else { (time / cap).max(block.alpha * speed * time) };
+    (Scale { time, velocity: speed }, rate)
 }
 
 /// The order that a series needs whose terms fall off as `rate^k`, at twice its unit of time; five terms more for what is
@@ -111,6 +117,15 @@ fn order(rate: f64) -> usize {
     if digits <= 2.2 { ORDER } else { (5.0 + 42.0 / digits).ceil() as usize }
 }
 
+/// How many terms of a series tell its size: the first one when it starts from a root, two when it is pushed away from it.
+fn leading(multiplicity: usize, forcing: &Forcing) -> usize {
+    match multiplicity {
+        0 => 3,
+        1 if forcing.gravity < 0.0 => 2,
+        _ => 1,
+    }
+}
+
 /// How far the series may be trusted: where its last two terms are negligible against the largest of the `leading` first ones.
 fn reliable(deflated: &[f64], leading: usize) -> f64 {
     let lead = deflated.iter().take(leading).fold(0.0, |m: f64, c| m.max(c.abs()));
@@ -118,7 +133,11 @@ fn reliable(deflated: &[f64], leading: usize) -> f64 {
     deflated.iter().enumerate().rev().take(2).fold(LONGEST, |step, (k, c)| {
         #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
         let power = k as i32;
-        if c.abs() * LONGEST.powi(power) <= allowed { step } else { step.min((allowed / c.abs()).powf(1.0 / f64::from(power))) }
+        if c.abs() * LONGEST.powi(power) <= allowed {
+            step
+        } else {
+            step.min((allowed / c.abs()).powf(1.0 / f64::from(power)))
+        }
     })
 }
 
@@ -182,7 +201,11 @@ fn polish(polynomial: &[f64], mut left: f64, mut right: f64) -> f64 {
     let mut x = 0.5 * (left + right);
     for _ in 0..80 {
         let (value, slope) = evaluate(polynomial, x);
-        if value > 0.0 { left = x } else { right = x }
+        if value > 0.0 {
+            left = x
+        } else {
+            right = x
+        }
         let newton = x - value / slope;
         let next = if newton >= left && newton <= right { newton } else { 0.5 * (left + right) };
         let moved = (next - x).abs();

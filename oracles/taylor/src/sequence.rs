@@ -7,6 +7,8 @@ use crate::flight::{Landing, fly};
 
 /// Below this speed a history ends: the next quantities would come near to the smallest double.
 const SLOWEST: f64 = 1e-280;
+/// So many steps of a flight round by no more than the perturbation stands for.
+const FEW_STEPS: u32 = 40;
 
 /// The history of `block`, with claims from the differences to that of `perturbed`: a run whose parameters are changed by
 /// more than what rounding does to them in all flights. The claim is twice the largest relative difference so far, and
@@ -27,9 +29,9 @@ pub fn history(block: &Block, perturbed: &Block, horizon: Horizon, most: usize) 
         });
         floor += 2e-16;
         impact.uncertainty = Uncertainty {
-            time: impact.time * (2.0 * worst.0 + floor),
-            interval: 2.0 * worst.1 + floor,
-            velocity: 2.0 * worst.2 + floor,
+            time: impact.time * impact.uncertainty.time * (2.0 * worst.0 + floor),
+            interval: impact.uncertainty.interval * (2.0 * worst.1 + floor),
+            velocity: impact.uncertainty.velocity * (2.0 * worst.2 + floor),
         };
     }
     History { impacts, ending, chattering_time: None }
@@ -40,7 +42,8 @@ fn difference(a: f64, b: f64) -> f64 {
     ((b - a) / a).abs()
 }
 
-/// The impacts of `block` without claims, and why they end.
+/// The impacts of `block`, and why they end. Instead of a claim each holds a margin, the factor by which the rounding of
+/// flights of uncommonly many steps widens it.
 fn run(block: &Block, horizon: Horizon, most: usize) -> (Vec<Impact>, Ending) {
     let (end, beyond) = match horizon {
         Horizon::HalfPeriod => (core::f64::consts::PI / block.omega, Ending::Incomplete),
@@ -49,9 +52,13 @@ fn run(block: &Block, horizon: Horizon, most: usize) -> (Vec<Impact>, Ending) {
     let mut impacts = Vec::with_capacity(most.min(1024));
     let (mut high, mut low) = (0.0_f64, 0.0_f64);
     let (mut side, mut speed) = (-1.0, 0.0);
+    let mut excess = 0.0;
     while impacts.len() < most {
         let (interval, arrival) = match fly(block, side, high + low, speed, (end - high) - low) {
-            Landing::Impact { interval, speed } => (interval, speed),
+            Landing::Impact { interval, speed, steps } => {
+                excess += f64::from(steps.saturating_sub(FEW_STEPS));
+                (interval, speed)
+            }
             Landing::Flying => return (impacts, beyond),
             Landing::Overturned => return (impacts, Ending::Overturned),
             Landing::Lost(loss) => return (impacts, Ending::Lost(loss)),
@@ -68,7 +75,8 @@ fn run(block: &Block, horizon: Horizon, most: usize) -> (Vec<Impact>, Ending) {
         if !(interval > 0.0 && speed > 0.0 && speed.is_finite()) {
             return (impacts, Ending::Lost(Loss::NotFinite));
         }
-        let uncertainty = Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
+        let margin = 1.0 + 0.05 * excess;
+        let uncertainty = Uncertainty { time: margin, interval: margin, velocity: margin };
         impacts.push(Impact { time: high + low, interval, velocity: side * speed, uncertainty });
         if speed < SLOWEST {
             let certain = block.certainly_rests(high + low, speed);
