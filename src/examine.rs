@@ -25,8 +25,8 @@ pub struct Examination {
 pub enum PairOutcome {
     /// The two histories were compared.
     Compared(Comparison),
-    /// One of them, at this place in the panel, gave no history to compare.
-    Absent(usize),
+    /// One of them gave no history to compare.
+    Absent,
     /// The histories are of different problems.
     Incomparable(&'static str),
 }
@@ -74,7 +74,7 @@ pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
     let mut pairs = Vec::new();
     for (i, first) in answers.iter().enumerate() {
         for (j, second) in answers.iter().enumerate().skip(i + 1) {
-            pairs.push((i, j, pair(case, (i, first), (j, second), gap.as_ref())));
+            pairs.push((i, j, pair(case, first, second, gap.as_ref())));
         }
     }
     Examination { answers, findings, pairs }
@@ -91,21 +91,16 @@ fn model_gap(panel: &[&dyn Oracle], answers: &[Answer], case: &Case) -> Option<M
     ModelGap::new(*oracle, case, answer.observed()?).ok().flatten()
 }
 
-fn pair(case: &Case, first: (usize, &Answer), second: (usize, &Answer), gap: Option<&ModelGap>) -> PairOutcome {
-    let (Some(mine), Some(theirs)) = (first.1.observed(), second.1.observed()) else {
-        let absent = if first.1.observed().is_none() { first.0 } else { second.0 };
-        return PairOutcome::Absent(absent);
+fn pair(case: &Case, first: &Answer, second: &Answer, gap: Option<&ModelGap>) -> PairOutcome {
+    let (Some(mine), Some(theirs)) = (first.observed(), second.observed()) else {
+        return PairOutcome::Absent;
     };
-    match (first.1.model, second.1.model) {
-        (Model::Linear, Model::Nonlinear) => match gap {
-            Some(gap) => PairOutcome::Compared(compare(case, mine, theirs, Some(gap))),
-            None => PairOutcome::Incomparable(why_incomparable(case)),
-        },
-        (Model::Nonlinear, Model::Linear) => match gap {
-            Some(gap) => PairOutcome::Compared(compare(case, theirs, mine, Some(gap))),
-            None => PairOutcome::Incomparable(why_incomparable(case)),
-        },
-        _ => PairOutcome::Compared(compare(case, mine, theirs, None)),
+    match (first.model, second.model, gap) {
+        (one, two, _) if one == two => PairOutcome::Compared(compare(case, mine, theirs, None)),
+        (_, _, None) => PairOutcome::Incomparable(why_incomparable(case)),
+        // The gap scales the velocities of the nonlinear one, which is the second.
+        (Model::Linear, _, gap) => PairOutcome::Compared(compare(case, mine, theirs, gap)),
+        (Model::Nonlinear, _, gap) => PairOutcome::Compared(compare(case, theirs, mine, gap)),
     }
 }
 

@@ -295,6 +295,7 @@ fn intervals_taken_as_differences_of_times() {
     assert!(!report.passes());
     // It shows where the intervals are some 1e-5 of the time and the claims of both are 1e-11: deep down.
     let faults = faults_in(&report, "list/fig-2-deep");
+    assert!(!faults.is_empty());
     assert!(faults.iter().all(|fault| fault.oracles().contains(&CLOSED) && fault.impact() > 100), "{faults:#?}");
 }
 
@@ -316,7 +317,7 @@ fn a_series_summed_with_the_wrong_tail() {
         }
     };
     let report = planted(SERIES, same, answer);
-    assert!(!report.passes());
+    assert!(!report.failures.is_empty());
     assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&SERIES)));
 }
 
@@ -328,7 +329,7 @@ fn a_claim_that_is_too_small() {
         }
     };
     let report = planted(ODE, same, answer);
-    assert!(!report.passes());
+    assert!(!report.failures.is_empty());
     assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&ODE)));
 }
 

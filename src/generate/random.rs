@@ -4,7 +4,7 @@ use contract::Case;
 use proptest::{
     prelude::*,
     strategy::ValueTree,
-    test_runner::{Config, RngAlgorithm, RngSeed, TestRng, TestRunner},
+    test_runner::{Config, RngAlgorithm, TestRng, TestRunner},
 };
 
 use super::{case, impacts_for};
@@ -14,7 +14,7 @@ use crate::critical;
 pub(super) fn cases(seed: u64, count: usize) -> Vec<(String, Case)> {
     let mut bytes = [0; 32];
     bytes.iter_mut().zip(seed.to_le_bytes()).for_each(|(byte, of_seed)| *byte = of_seed);
-    let config = Config { rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
+    let config = Config { failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
     let strategy = strategy();
     (1..=count).filter_map(|n| Some((n.to_string(), strategy.new_tree(&mut runner).ok()?.current()))).collect()

@@ -79,7 +79,7 @@ pub struct Pair {
     pub compared: usize,
     /// How many impacts.
     pub impacts: usize,
-    /// Of them, how many with claims so wide that any interval would have passed.
+    /// Of them, how many in name only: with claims so wide that nearly anything would have passed.
     pub vacuous: usize,
     /// How many chattering times, and of them, how many in name only.
     pub chattering_times: usize,
@@ -169,7 +169,7 @@ impl Tally {
             };
             let pair = tally.pairs.entry((*i, *j)).or_default();
             match outcome {
-                PairOutcome::Absent(_) => pair.absent = 1,
+                PairOutcome::Absent => pair.absent = 1,
                 PairOutcome::Incomparable(why) => {
                     pair.incomparable.insert((*why).to_owned(), 1);
                 }
@@ -241,9 +241,7 @@ impl Pair {
             keep_worst(&mut self.worst, observable, worst);
         }
     }
-}
 
-impl Pair {
     /// The largest share of its allowance that an interval used.
     fn used(&self) -> f64 {
         self.worst.get(&Observable::Interval).map_or(0.0, |worst| worst.share)
