@@ -6,6 +6,7 @@ use contract::{Case, Ending, Horizon, Limit, Loss};
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    conditioning::Conditioning,
     model_gap::ModelGap,
     observables::{Observable, Observed},
     tolerance,
@@ -76,9 +77,30 @@ impl Figure {
     }
 }
 
-/// Compares two histories of `case`; `gap` is the difference allowed between their models, if these differ, and scales the velocities of
-/// the second, nonlinear one.
-pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelGap>) -> Comparison {
+/// What two histories of one case may differ by beyond their claims.
+#[derive(Debug, Clone, Copy)]
+pub struct Slack<'a> {
+    /// What rounding the parameters does; the default is nothing.
+    pub conditioning: &'a Conditioning,
+    /// The difference allowed between their models, if these differ. It scales the velocities of the second, nonlinear one.
+    pub gap: Option<&'a ModelGap>,
+}
+
+impl Slack<'_> {
+    /// What the tolerance table allows on top of the claims, for an observable at impact `n`.
+    fn at(&self, observable: Observable, n: usize) -> f64 {
+        const UNIT: f64 = 0.5 * f64::EPSILON;
+        let rounding = tolerance::BACKWARD.value * UNIT * self.conditioning.at(observable, n);
+        rounding
+            + match self.gap {
+                None => tolerance::SAME_MODEL.value,
+                Some(gap) => tolerance::ACROSS_MODELS.value * gap.at(observable, n),
+            }
+    }
+}
+
+/// Compares two histories of `case`.
+pub fn compare(case: &Case, first: &Observed, second: &Observed, slack: Slack) -> Comparison {
     let (mine, theirs) = (&first.history.impacts, &second.history.impacts);
     let common = mine.len().min(theirs.len());
     let mut comparison =
@@ -88,7 +110,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&Mo
         let time = first.at(Observable::ImpactTime, n).map_or(0.0, |time| time.value);
         let mut wide = false;
         for observable in Observable::OF_AN_IMPACT {
-            let Some((figure, values)) = figure(observable, n, first, second, gap) else { continue };
+            let Some((figure, values)) = figure(observable, n, first, second, slack) else { continue };
             wide |= is_wide(figure.allowed, if observable == Observable::ImpactTime { time } else { 1.0 });
             comparison.note(observable, figure);
             if !figure.is_allowed() {
@@ -99,7 +121,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&Mo
         }
         comparison.vacuous += usize::from(wide);
     }
-    comparison.verdict = endings(case, first, second, gap, common);
+    comparison.verdict = endings(case, first, second, slack, common);
     if comparison.verdict != Verdict::Agree {
         return comparison;
     }
@@ -107,7 +129,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, gap: Option<&Mo
         let figure = Figure {
             impact: 0,
             difference: (mine.value - theirs.value).abs(),
-            allowed: mine.uncertainty + theirs.uncertainty + slack(Observable::ChatteringTime, 0, gap),
+            allowed: mine.uncertainty + theirs.uncertainty + slack.at(Observable::ChatteringTime, 0),
         };
         comparison.chattering_time = Some(!is_wide(figure.allowed, mine.value));
         comparison.note(Observable::ChatteringTime, figure);
@@ -143,10 +165,10 @@ fn figure(
     n: usize,
     first: &Observed,
     second: &Observed,
-    gap: Option<&ModelGap>,
+    slack: Slack,
 ) -> Option<(Figure, [String; 2])> {
     let (mine, theirs) = (first.at(observable, n)?, second.at(observable, n)?);
-    let their_value = match gap {
+    let their_value = match slack.gap {
         Some(gap) if observable == Observable::Velocity => theirs.value / gap.velocity_scale,
         _ => theirs.value,
     };
@@ -154,21 +176,13 @@ fn figure(
     let figure = Figure {
         impact: n,
         difference: (mine.value - their_value).abs() / scale,
-        allowed: mine.uncertainty + theirs.uncertainty + slack(observable, n, gap),
+        allowed: mine.uncertainty + theirs.uncertainty + slack.at(observable, n),
     };
     Some((figure, [format!("{:?}", mine.value), format!("{their_value:?}")]))
 }
 
-/// What the tolerance table allows on top of the claims.
-fn slack(observable: Observable, n: usize, gap: Option<&ModelGap>) -> f64 {
-    match gap {
-        None => tolerance::SAME_MODEL.value,
-        Some(gap) => tolerance::ACROSS_MODELS.value * gap.at(observable, n),
-    }
-}
-
 /// Whether two endings say the same, and the lists are of the length that they imply.
-fn endings(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelGap>, common: usize) -> Verdict {
+fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, common: usize) -> Verdict {
     let disagree = || {
         let describe = |o: &Observed| format!("{} after {} impacts", o.history.ending, o.history.impacts.len());
         Verdict::Disagree(Disagreement {
@@ -185,9 +199,19 @@ fn endings(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelG
         _ => return disagree(),
     };
     let (shorter, longer) = if first.history.impacts.len() == common { (first, second) } else { (second, first) };
+    let time_left_is_within =
+        |unsure: f64, time: f64| horizon(case) - time <= unsure + slack.at(Observable::ImpactTime, common + 1);
     // One that comes to rest and one that does not part at an impact that the first has and the second has not.
     let Some(extra) = longer.history.impacts.get(common) else {
-        return if same { Verdict::Agree } else { disagree() };
+        let last = |observed: &Observed| observed.history.impacts.last().map(|last| (last.uncertainty.time, last.time));
+        let too_close = last(first)
+            .zip(last(second))
+            .is_some_and(|((mine, time), (theirs, _))| time_left_is_within(mine + theirs, time));
+        return match (same, too_close) {
+            (true, _) => Verdict::Agree,
+            (false, true) => Verdict::TooClose,
+            (false, false) => disagree(),
+        };
     };
     let claimed = common.checked_sub(1).and_then(|last| shorter.history.impacts.get(last));
     let explained = match shorter.history.ending {
@@ -196,7 +220,7 @@ fn endings(case: &Case, first: &Observed, second: &Observed, gap: Option<&ModelG
         // slightly other stiffness does not have.
         Ending::Incomplete | Ending::LimitReached(Limit::Time) | Ending::Overturned => {
             let unsure = extra.uncertainty.time + claimed.map_or(0.0, |last| last.uncertainty.time);
-            horizon(case) - extra.time <= unsure + slack(Observable::ImpactTime, common + 1, gap)
+            time_left_is_within(unsure, extra.time)
         }
         // What is listed before a loss or an overturning was compared; the loss itself is judged by the laws.
         Ending::Lost(_) => true,

@@ -5,8 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     answer::{Answer, Outcome, ask},
-    compare::{Comparison, Disagreement, Verdict, compare},
+    compare::{Comparison, Disagreement, Slack, Verdict, compare},
+    conditioning::Conditioning,
     confirm,
+    judge::Judgement,
     laws::{self, Breach, Findings, Law},
     model_gap::ModelGap,
 };
@@ -19,6 +21,8 @@ pub struct Examination {
     pub findings: Vec<Findings>,
     /// Every pair of answers, by their places in the panel.
     pub pairs: Vec<(usize, usize, PairOutcome)>,
+    /// What the judge says, where it was asked.
+    pub judgements: Vec<Judgement>,
 }
 
 /// What came out of a pair.
@@ -49,15 +53,35 @@ pub enum Fault {
         /// Which, and where.
         breach: Breach,
     },
+    /// An oracle is further from a proven enclosure than it claims.
+    Refuted {
+        /// Its name.
+        oracle: String,
+        /// The name of the judge.
+        judge: String,
+        /// On what; the first of the two values is the judge's.
+        disagreement: Disagreement,
+    },
 }
 
 /// Asks every oracle of the panel, and compares.
 pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
-    let answers: Vec<Answer> = panel.iter().map(|oracle| ask(*oracle, case)).collect();
+    examine_answers(panel, case, panel.iter().map(|oracle| ask(*oracle, case)).collect(), |_, _| true)
+}
+
+/// Compares answers that the oracles of the panel have already given to this case: those pairs, by their places, that are `wanted`, and
+/// against the laws those that are wanted with themselves.
+pub fn examine_answers(
+    panel: &[&dyn Oracle],
+    case: &Case,
+    answers: Vec<Answer>,
+    wanted: impl Fn(usize, usize) -> bool,
+) -> Examination {
     let findings = answers
         .iter()
         .enumerate()
         .map(|(place, answer)| match &answer.outcome {
+            _ if !wanted(place, place) => Findings::default(),
             Outcome::Observed(observed) => {
                 let findings = laws::check(case, answer.model, observed);
                 let breach = findings.breach.or_else(|| confirm::breach(panel, case, &answers, place));
@@ -71,13 +95,14 @@ pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
         })
         .collect();
     let gap = model_gap(panel, &answers, case);
+    let conditioning = Conditioning::of(panel, &answers, case);
     let mut pairs = Vec::new();
     for (i, first) in answers.iter().enumerate() {
-        for (j, second) in answers.iter().enumerate().skip(i + 1) {
-            pairs.push((i, j, pair(case, first, second, gap.as_ref())));
+        for (j, second) in answers.iter().enumerate().skip(i + 1).filter(|(j, _)| wanted(i, *j)) {
+            pairs.push((i, j, pair(case, first, second, Slack { conditioning: &conditioning, gap: gap.as_ref() })));
         }
     }
-    Examination { answers, findings, pairs }
+    Examination { answers, findings, pairs, judgements: Vec::new() }
 }
 
 /// The gap between the models on this case, by the first linear oracle that has a history. `None` if no pair needs it, or there is none.
@@ -91,16 +116,16 @@ fn model_gap(panel: &[&dyn Oracle], answers: &[Answer], case: &Case) -> Option<M
     ModelGap::new(*oracle, case, answer.observed()?).ok().flatten()
 }
 
-fn pair(case: &Case, first: &Answer, second: &Answer, gap: Option<&ModelGap>) -> PairOutcome {
+fn pair(case: &Case, first: &Answer, second: &Answer, slack: Slack) -> PairOutcome {
     let (Some(mine), Some(theirs)) = (first.observed(), second.observed()) else {
         return PairOutcome::Absent;
     };
-    match (first.model, second.model, gap) {
-        (one, two, _) if one == two => PairOutcome::Compared(compare(case, mine, theirs, None)),
+    match (first.model, second.model, slack.gap) {
+        (one, two, _) if one == two => PairOutcome::Compared(compare(case, mine, theirs, Slack { gap: None, ..slack })),
         (_, _, None) => PairOutcome::Incomparable(why_incomparable(case)),
         // The gap scales the velocities of the nonlinear one, which is the second.
-        (Model::Linear, _, gap) => PairOutcome::Compared(compare(case, mine, theirs, gap)),
-        (Model::Nonlinear, _, gap) => PairOutcome::Compared(compare(case, theirs, mine, gap)),
+        (Model::Linear, _, _) => PairOutcome::Compared(compare(case, mine, theirs, slack)),
+        (Model::Nonlinear, _, _) => PairOutcome::Compared(compare(case, theirs, mine, slack)),
     }
 }
 
@@ -112,7 +137,7 @@ fn why_incomparable(case: &Case) -> &'static str {
 }
 
 impl Examination {
-    /// Everything that is wrong, laws first: a disagreement is often explained by them.
+    /// Everything that is wrong, laws and the judge first: a disagreement is often explained by them.
     pub fn faults(&self) -> Vec<Fault> {
         let name = |place: usize| self.answers.get(place).map_or_else(String::new, |answer| answer.oracle.clone());
         let laws =
@@ -125,7 +150,17 @@ impl Examination {
             }
             _ => None,
         });
-        laws.chain(pairs).collect()
+        let refuted = self.judgements.iter().filter_map(|Judgement { place, judge, refuted, .. }| {
+            let disagreement = refuted.clone()?;
+            Some(Fault::Refuted { oracle: name(*place), judge: judge.clone(), disagreement })
+        });
+        laws.chain(refuted).chain(pairs).collect()
+    }
+
+    /// The names of the oracles that the judge was asked about and found nothing wrong with.
+    pub fn confirmed(&self) -> Vec<String> {
+        let sound = self.judgements.iter().filter(|judgement| judgement.refuted.is_none());
+        sound.filter_map(|judgement| Some(self.answers.get(judgement.place)?.oracle.clone())).collect()
     }
 
     /// The answers that are declines.
@@ -142,14 +177,14 @@ impl Fault {
     pub fn oracles(&self) -> Vec<&str> {
         match self {
             Self::Pair { oracles, .. } => oracles.iter().map(String::as_str).collect(),
-            Self::Law { oracle, .. } => vec![oracle],
+            Self::Law { oracle, .. } | Self::Refuted { oracle, .. } => vec![oracle],
         }
     }
 
     /// The first impact that it shows at.
     pub fn impact(&self) -> usize {
         match self {
-            Self::Pair { disagreement, .. } => disagreement.figure.impact,
+            Self::Pair { disagreement, .. } | Self::Refuted { disagreement, .. } => disagreement.figure.impact,
             Self::Law { breach, .. } => breach.impact,
         }
     }
@@ -166,6 +201,7 @@ impl Fault {
             (Self::Law { oracle: mine, breach: one }, Self::Law { oracle: theirs, breach: two }) => {
                 mine == theirs && one.law == two.law
             }
+            (Self::Refuted { oracle: mine, .. }, Self::Refuted { oracle: theirs, .. }) => mine == theirs,
             _ => false,
         }
     }

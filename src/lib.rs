@@ -12,11 +12,14 @@
 pub mod answer;
 pub mod case_file;
 pub mod compare;
+pub mod conditioning;
 pub mod confirm;
 pub mod critical;
 pub mod examine;
+pub mod faults;
 pub mod generate;
 pub mod hex_float;
+pub mod judge;
 pub mod ladder;
 pub mod laws;
 pub mod model_gap;

@@ -2,7 +2,8 @@
 
 use asymptotic::Asymptotic;
 use closed_form::ClosedForm;
-use contract::{Invalid, Oracle};
+use contract::{Decline, Invalid, Model, Oracle};
+pub use enclosure::{Bounds, Critical, Enclosure};
 use ode::{Equation, Flights, Method, Ode};
 use printed::Printed;
 use taylor::Taylor;
@@ -33,9 +34,15 @@ pub fn default() -> Panel {
     ]
 }
 
-/// Every oracle there is: the default panel, and those that are asked only by name because they are slow or known to fail.
+/// The oracles whose claims are proven, one for each model: they judge the others.
+pub fn judges() -> Panel {
+    vec![Box::new(Enclosure::new(Model::Linear)), Box::new(Enclosure::new(Model::Nonlinear))]
+}
+
+/// Every oracle there is: the default panel, and those that are asked only by name because they judge, are slow, or are known to fail.
 pub fn all() -> Panel {
     let mut panel = default();
+    panel.extend(judges());
     panel.push(Box::new(Printed::default()));
     for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
         panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
@@ -49,6 +56,32 @@ pub fn all() -> Panel {
 /// The oracle with many digits by itself, for what only it can do.
 pub fn printed() -> Printed {
     Printed::default()
+}
+
+/// The oracle with proven bounds by itself, for what only it can do.
+pub fn enclosure_of(model: Model) -> Enclosure {
+    Enclosure::new(model)
+}
+
+/// The same by the name of its model, with this many digits.
+///
+/// # Errors
+/// When `model` is neither `linear` nor `nonlinear`, or there are no such digits.
+pub fn enclosure(model: &str, digits: Option<u32>) -> Result<Enclosure, Invalid> {
+    let enclosure = match model {
+        "linear" => Enclosure::new(Model::Linear),
+        "nonlinear" => Enclosure::new(Model::Nonlinear),
+        other => return Err(Invalid::new("model", other, "linear or nonlinear")),
+    };
+    digits.map_or(Ok(enclosure), |digits| enclosure.with_digits(digits))
+}
+
+/// The certified critical amplitude of the linear model.
+///
+/// # Errors
+/// When `omega` or `eta` is out of range, or no bracket was found.
+pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
+    enclosure::critical_amplitude(omega, eta)
 }
 
 /// The oracles whose names are in `list`, separated by commas. A name stands for every oracle of the default panel that it begins
@@ -89,8 +122,8 @@ pub struct OdeSettings<'a> {
     pub rtol: Option<f64>,
 }
 
-/// One oracle by its name: `closed-form`, `ode` (or its full name), `taylor`, `asymptotic` or `printed`. `equation` is the one that an ODE oracle solves if the settings
-/// don't say.
+/// One oracle by its name: `closed-form`, `ode`, `enclosure` (or the full name of one of these), `taylor`, `asymptotic` or `printed`. `equation`
+/// is the one that an oracle for both equations solves if the settings don't say.
 ///
 /// # Errors
 /// When a name or a setting is not known, or settings are given to an oracle that has none.
@@ -107,13 +140,20 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
         };
         return Ok(Box::new(ode(&settings, equation)?));
     }
+    let named_model = name.strip_prefix("enclosure/").or((name == "enclosure").then_some(equation));
+    if let (Some(model), OdeSettings { equation: given, method: None, flights: None, rtol: None }) =
+        (named_model, *settings)
+    {
+        return Ok(Box::new(enclosure(given.unwrap_or(model), None)?));
+    }
     let simple: Box<dyn Oracle> = match name {
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
         "closed-form" => Box::new(ClosedForm),
         "taylor" => Box::new(Taylor),
         "asymptotic" => Box::new(Asymptotic),
         "printed" => Box::new(Printed::default()),
-        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic or printed")),
+        "enclosure" | "enclosure/linear" | "enclosure/nonlinear" => Box::new(enclosure("linear", None)?),
+        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),
     };
     let OdeSettings { equation, method, flights, rtol } = *settings;
     let given = [

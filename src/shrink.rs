@@ -2,14 +2,17 @@
 
 use contract::{Case, Horizon, Oracle, Slenderness};
 
-use crate::examine::{Fault, examine};
+use crate::{
+    examine::{Fault, examine},
+    judge::Judges,
+};
 
 /// How many candidates are tried at the most.
 const TRIES: usize = 400;
 
 /// The smallest case found that still has a fault resembling `fault`, and that fault. Smaller means: fewer impacts, no slenderness where it
 /// does not matter, and parameters with fewer digits.
-pub fn shrink(panel: &[&dyn Oracle], case: &Case, fault: &Fault) -> (Case, Fault) {
+pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, fault: &Fault) -> (Case, Fault) {
     // Only the oracles of the fault matter, and the first of the panel, which the gap between models comes from.
     let concerned: Vec<&dyn Oracle> = panel
         .iter()
@@ -17,7 +20,14 @@ pub fn shrink(panel: &[&dyn Oracle], case: &Case, fault: &Fault) -> (Case, Fault
         .filter(|(place, oracle)| *place == 0 || fault.oracles().contains(&oracle.name()))
         .map(|(_, oracle)| *oracle)
         .collect();
-    let fails = |case: &Case| examine(&concerned, case).faults().into_iter().find(|found| found.resembles(fault));
+    let fails = |case: &Case| {
+        let examination = match fault {
+            // The first case of any run is judged.
+            Fault::Refuted { .. } => judges.examine(&concerned, 0, case),
+            _ => examine(&concerned, case),
+        };
+        examination.faults().into_iter().find(|found| found.resembles(fault))
+    };
     let mut best = (*case, fault.clone());
     let mut tries = 0;
     'again: while tries < TRIES {

@@ -1,7 +1,8 @@
 //! The one table of what is allowed beyond the oracles' own claims, every number with its reason.
 //!
-//! Two oracles that solve the same model have to agree to within the sum of what they claim: slack is zero. The claims follow the
-//! conditioning of the case, so no entry has to be made for cases near the critical amplitude.
+//! Two oracles that solve the same model have to agree to within the sum of what they claim: slack is zero, but for what
+//! rounding the parameters does to the case. Both follow the conditioning of the case, so no entry has to be made for cases near the critical
+//! amplitude.
 
 use serde::Serialize;
 
@@ -22,8 +23,17 @@ pub struct Tolerance {
 pub const SAME_MODEL: Tolerance = Tolerance {
     applies_to: "same model, every observable",
     value: 0.0,
-    meaning: "slack on top of the sum of the two claims",
+    meaning: "slack on top of the sum of the two claims and of the conditioning",
     reason: "Claims are made to be relied on: a pair that needs slack has a claim that is wrong.",
+};
+
+/// Every pair, every observable.
+pub const BACKWARD: Tolerance = Tolerance {
+    applies_to: "every pair, every observable",
+    value: 1.0,
+    meaning: "multiple of what rounding epsilon, omega and eta by 2^-53 of themselves does to the observable of this case",
+    reason: "A method that works in doubles rounds its own parameters, once each; what that does is computed with the derivatives \
+             of every impact (see conditioning.rs), and grows without bound towards a_cr.",
 };
 
 /// Pairs across models, every observable.
@@ -102,9 +112,18 @@ pub const USED: Tolerance = Tolerance {
              or more.",
 };
 
+/// How much larger than its true error an oracle may claim that it is.
+pub const CALIBRATION: Tolerance = Tolerance {
+    applies_to: "one oracle over a run, judged by the enclosure",
+    value: 100.0,
+    meaning: "largest median of the claim in multiples of the true error, of any observable",
+    reason: "A claim that is too small is a failure of its case; one that is far too large hides what it should find.",
+};
+
 /// Every entry.
-pub const TABLE: [&Tolerance; 10] = [
+pub const TABLE: [&Tolerance; 12] = [
     &SAME_MODEL,
+    &BACKWARD,
     &ACROSS_MODELS,
     &TIME_IS_SUM,
     &RATIO_LAW,
@@ -114,4 +133,5 @@ pub const TABLE: [&Tolerance; 10] = [
     &RESOLUTION,
     &VACUOUS,
     &USED,
+    &CALIBRATION,
 ];

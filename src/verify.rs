@@ -4,8 +4,9 @@ use contract::Oracle;
 use rayon::prelude::*;
 
 use crate::{
-    examine::{Fault, examine},
+    examine::Fault,
     generate::{Generator, Named},
+    judge::Judges,
     ladder::Descent,
     panel,
     report::{Report, Tally},
@@ -36,6 +37,8 @@ pub struct Failure {
     pub named: Named,
     /// What was wrong.
     pub faults: Vec<Fault>,
+    /// The oracles that the judge confirmed.
+    pub confirmed: Vec<String>,
 }
 
 /// The cases of a run, in order. The edge generator finds the critical amplitudes with the first oracle of the default panel, whichever
@@ -50,30 +53,33 @@ pub fn cases(request: &Request) -> Vec<Named> {
     all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
 }
 
-/// Runs the cases through the panel, and reports on them and on the ladders; a run without ladders is of a few chosen cases and does not have
+/// Runs the cases through the panel, with the judge on a sample of them, and reports on them and on the ladders; a run without ladders is of a few chosen cases and does not have
 /// to prove anything as a whole. `done` is called after each case, from any thread.
 pub fn run(
     panel: &[&dyn Oracle],
+    judges: &Judges,
     cases: &[Named],
     seed: u64,
     ladders: Option<Vec<Descent>>,
     done: impl Fn() + Sync,
 ) -> (Report, Vec<Failure>) {
     let names: Vec<&str> = panel.iter().map(|oracle| oracle.name()).collect();
-    let results: Vec<(Tally, Vec<Fault>)> = cases
+    let results: Vec<(Tally, Failure)> = cases
         .par_iter()
-        .map(|named| {
-            let examination = examine(panel, &named.case);
+        .enumerate()
+        .map(|(place, named)| {
+            let examination = judges.examine(panel, place, &named.case);
             done();
-            (Tally::of(named, &examination), examination.faults())
+            let (faults, confirmed) = (examination.faults(), examination.confirmed());
+            (Tally::of(named, &examination), Failure { named: named.clone(), faults, confirmed })
         })
         .collect();
     let mut tally = Tally::default();
     let mut failures = Vec::new();
-    for (named, (of_case, faults)) in cases.iter().zip(results) {
+    for (of_case, failure) in results {
         tally.add(of_case);
-        if !faults.is_empty() {
-            failures.push(Failure { named: named.clone(), faults });
+        if !failure.faults.is_empty() {
+            failures.push(failure);
         }
     }
     let whole = ladders.is_some();

@@ -4,6 +4,7 @@
 use approx::assert_relative_eq;
 use chattercheck::{
     generate::Generator,
+    judge::Judges,
     observables::{Observable, Observed},
     panel::{self, OdeSettings},
     verify, zeno,
@@ -133,7 +134,7 @@ fn the_printed_equations_with_many_digits_agree_with_every_method() {
             named
         })
         .collect();
-    let (report, _) = verify::run(&panel, &cases, 0, None, || ());
+    let (report, _) = verify::run(&panel, &Judges::default(), &cases, 0, None, || ());
     assert!(report.passes(), "{}", chattercheck::report::text(&report));
     assert!(report.pairs.iter().all(|pair| pair.compared == cases.len() || pair.absent > 0));
 }

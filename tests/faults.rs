@@ -5,6 +5,7 @@
 use chattercheck::{
     examine::Fault,
     generate::{Generator, Named},
+    judge::Judges,
     ladder,
     laws::Law,
     observables::Observable,
@@ -67,7 +68,7 @@ fn cases() -> Vec<Named> {
 fn run(panel: &[Box<dyn Oracle>]) -> Report {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let ladders = ladder::descend(&panel).unwrap();
-    verify::run(&panel, &cases(), 11, Some(ladders), || ()).0
+    verify::run(&panel, &Judges::default(), &cases(), 11, Some(ladders), || ()).0
 }
 
 /// The panel that faults are planted in: one oracle of each kind.
@@ -396,7 +397,7 @@ fn rest_declared_wherever_the_list_ends() {
     let case = Case::from_amplitude(1.05, 2.0, 0.92).unwrap().with_max_impacts(8).unwrap();
     let ode = panel::select(ODE).unwrap().swap_remove(0);
     let cases = [Named { generator: Generator::List, name: "short".to_owned(), case }];
-    let (report, _) = verify::run(&[faulty.as_ref(), ode.as_ref()], &cases, 0, None, || ());
+    let (report, _) = verify::run(&[faulty.as_ref(), ode.as_ref()], &Judges::default(), &cases, 0, None, || ());
     let fault = &report.failures[0].faults[0];
     assert!(
         matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::RestStays),

@@ -106,6 +106,22 @@ fn edge_cases_walk_to_both_ends_of_the_range() {
             }
         }
     }
+    for (omega, eta) in [(2.0, 0.92), (0.7, 0.85), (5.0, 0.75), (1.3, 0.95)] {
+        let (below, above) = critical::bracket(stepper().as_ref(), omega, eta).unwrap().expect("a critical amplitude");
+        let rungs: Vec<&Named> = cases
+            .iter()
+            .filter(|named| named.name.contains("alpha=") && named.case.omega() == omega && named.case.eta() == eta)
+            .collect();
+        assert_eq!(rungs.len(), 20, "the ladder at omega = {omega}, eta = {eta}");
+        for exponent in 3..=12 {
+            let rung = 10.0_f64.powi(-exponent);
+            for (distance, ending) in [(below - rung, Ending::AtRest), (above + rung, Ending::Incomplete)] {
+                let there = rungs.iter().find(|named| (named.case.epsilon() - distance).abs() < 1e-3 * rung);
+                let case = there.expect("a rung").case;
+                assert_eq!(ending_after(&case, 20_000).0, ending, "{rung:e} from a_cr at omega = {omega}, eta = {eta}");
+            }
+        }
+    }
     let reaches = |least: usize, holds: &dyn Fn(&Case) -> bool| assert!(count(&cases, holds) >= least);
     reaches(5, &|case| case.eta() >= 0.99);
     reaches(5, &|case| case.eta() <= 0.5);

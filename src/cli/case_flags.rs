@@ -1,6 +1,9 @@
 //! The flags that give one case, and the oracle to ask.
 
-use chattercheck::{case_file::CaseFields, panel};
+use chattercheck::{
+    case_file::CaseFields,
+    panel::{self, Enclosure},
+};
 use clap::Args;
 use contract::{Case, Invalid, Oracle};
 
@@ -59,7 +62,7 @@ pub(crate) struct OracleFlags {
     /// The method; see `chattercheck oracles`
     #[arg(long, value_name = "NAME", default_value = "closed-form")]
     oracle: String,
-    /// For ode: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
+    /// For ode and enclosure: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
     /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
@@ -74,6 +77,14 @@ pub(crate) struct OracleFlags {
 }
 
 impl OracleFlags {
+    /// The oracle with proven bounds and this many digits, if it is the one that is named.
+    pub fn enclosure(&self, case: &Case, digits: Option<u32>) -> Option<Result<Enclosure, Invalid>> {
+        let fallback = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
+        let named = self.oracle.strip_prefix("enclosure")?;
+        let model = named.strip_prefix('/').or(self.model.as_deref()).unwrap_or(fallback);
+        Some(panel::enclosure(model, digits))
+    }
+
     /// The oracle, for a case with or without slenderness.
     pub fn oracle(&self, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
         let fallback = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
@@ -88,6 +99,6 @@ impl OracleFlags {
 }
 
 /// A number of the command line. Whether its value is allowed is for the contract to say.
-fn number(text: &str) -> Result<f64, &'static str> {
+pub(super) fn number(text: &str) -> Result<f64, &'static str> {
     text.parse().map_err(|_| "not a number; allowed is one as in 1.03 or 1e-3")
 }

@@ -1,9 +1,9 @@
 use std::io::Write as _;
 
 use anyhow::anyhow;
-use chattercheck::observables::Observed;
+use chattercheck::{observables::Observed, panel::Enclosure};
 use clap::{Args, ValueEnum};
-use contract::{Case, Ending};
+use contract::{Case, Ending, Invalid, Oracle as _};
 use serde::Serialize;
 
 use super::{
@@ -21,6 +21,9 @@ pub(super) struct Arguments {
     /// Close the sum after this many impacts [default: as many as the restitution and the closeness to a_cr need]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     impacts: Option<usize>,
+    /// For enclosure: how many digits are proven [default: as many as a double holds]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    digits: Option<u32>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -40,6 +43,12 @@ struct Answer<'a> {
     complete: Option<bool>,
     tau_ch: Option<f64>,
     uncertainty: Option<f64>,
+    /// Proven bounds, as decimals rounded outward; only of the enclosure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lower: Option<String>,
+    /// See `lower`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    upper: Option<String>,
     /// `tau_ch/(T/2)`.
     half_period_fraction: Option<f64>,
     impacts: usize,
@@ -51,6 +60,12 @@ struct Answer<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
     let mut case = arguments.case.case(impacts)?;
+    if let Some(enclosure) = arguments.oracle.enclosure(&case, arguments.digits) {
+        return enclosed(arguments, &enclosure?, &case);
+    }
+    if let Some(digits) = arguments.digits {
+        return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into());
+    }
     let oracle = arguments.oracle.oracle(&case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
     let mut observed = ask(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
@@ -63,13 +78,32 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
             Err(_) => break,
         }
     }
-    let answer = answer(oracle.name(), &case, &observed);
-    let mut stdout = std::io::stdout().lock();
-    match arguments.format {
-        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(&answer)?)?,
-        Format::Text => writeln!(stdout, "{}", text(&answer))?,
-    }
+    print(arguments.format, &answer(oracle.name(), &case, &observed))?;
     Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
+}
+
+fn print(format: Format, answer: &Answer) -> anyhow::Result<()> {
+    let mut stdout = std::io::stdout().lock();
+    match format {
+        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(answer)?)?,
+        Format::Text => writeln!(stdout, "{}", text(answer))?,
+    }
+    Ok(())
+}
+
+/// The answer of the oracle with proven bounds, with all its digits.
+fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow::Result<Verdict> {
+    let declines = |decline| anyhow!("{} declines: {decline}", enclosure.name());
+    let enclosed = enclosure.enclose(case).map_err(declines)?;
+    let observed = Observed::new(case, enclosed.history());
+    let mut answer = answer(enclosure.name(), case, &observed);
+    if let Some(time) = &enclosed.chattering_time {
+        let [lower, upper] = time.decimals(time.places(enclosure.digits()));
+        (answer.lower, answer.upper) = (Some(lower), Some(upper));
+        answer.method = Some("proven bounds");
+    }
+    print(arguments.format, &answer)?;
+    Ok(Verdict::Well)
 }
 
 /// Even at a relative distance of 1e-15 to the critical amplitude this many are enough.
@@ -96,6 +130,8 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         },
         tau_ch: time.map(|time| time.value),
         uncertainty: time.map(|time| time.uncertainty),
+        lower: None,
+        upper: None,
         half_period_fraction: time.map(|time| time.value * case.omega() / std::f64::consts::PI),
         impacts: history.impacts.len(),
         oracle,
@@ -110,6 +146,9 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
 fn text(answer: &Answer) -> String {
     if !answer.rocks {
         return "does not rock: the amplitude does not exceed the threshold (rocks: false, tau_ch: null)".to_owned();
+    }
+    if let (Some(lower), Some(upper)) = (&answer.lower, &answer.upper) {
+        return format!("proven: complete, {lower}\n      <= tau_ch <= {upper}, by {}", answer.oracle);
     }
     match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
         (Some(time), Some(uncertainty), Some(fraction)) => format!(

@@ -2,6 +2,8 @@
 
 mod case_flags;
 mod chattering_time;
+mod critical_amplitude;
+mod detection_floor;
 mod oracles;
 mod output;
 mod reference;
@@ -31,9 +33,11 @@ enum Command {
     Replay(replay::Arguments),
     Simulate(simulate::Arguments),
     ChatteringTime(chattering_time::Arguments),
+    CriticalAmplitude(critical_amplitude::Arguments),
     Oracles(oracles::Arguments),
     Reference(reference::Arguments),
     Tolerances(tolerances::Arguments),
+    DetectionFloor(detection_floor::Arguments),
 }
 
 /// What a command that ran came to.
@@ -55,9 +59,11 @@ pub(crate) fn run() -> ExitCode {
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::ChatteringTime(arguments) => chattering_time::run(&arguments),
+        Command::CriticalAmplitude(arguments) => critical_amplitude::run(&arguments),
         Command::Oracles(arguments) => oracles::run(&arguments),
         Command::Reference(arguments) => reference::run(&arguments),
         Command::Tolerances(arguments) => tolerances::run(&arguments),
+        Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

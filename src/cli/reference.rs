@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Verdict;
 
-/// Make the reference tables: impacts and chattering times with 60 digits, from the printed equations
+/// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; certified critical amplitudes
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Where the tables go
@@ -19,10 +19,16 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let folder = &arguments.out;
     let bar = indicatif::ProgressBar::new_spinner();
     let (impacts, times) = reference::tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
+    let (proven_impacts, proven_times) =
+        reference::proven_tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
+    let critical = reference::critical_amplitudes(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     write(&folder.join("linear_impacts.csv"), &impacts)?;
     write(&folder.join("linear_chattering_times.csv"), &times)?;
+    write(&folder.join("proven_impacts.csv"), &proven_impacts)?;
+    write(&folder.join("proven_chattering_times.csv"), &proven_times)?;
+    write(&folder.join("critical_amplitudes.csv"), &critical)?;
     Ok(Verdict::Well)
 }
 

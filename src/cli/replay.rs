@@ -1,7 +1,7 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
-use chattercheck::{generate::Named, panel, replay::Replay, report, verify};
+use chattercheck::{generate::Named, judge::Judges, panel, replay::Replay, report, verify};
 use clap::Args;
 use contract::Oracle;
 
@@ -23,8 +23,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let (replay, case) = Replay::read(&text).with_context(|| path.to_string())?;
     let panel = panel::select(&replay.oracles.join(",")).with_context(|| path.to_string())?;
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let judges = panel::judges();
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
-    let (report, _) = verify::run(&panel, &cases, replay.seed, None, || ());
+    let (report, _) = verify::run(&panel, &judges, &cases, replay.seed, None, || ());
     arguments.files.write(&report, &cases)?;
     let mut text = format!("found then: {}\n", replay.fault);
     for failure in &report.failures {

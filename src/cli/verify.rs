@@ -3,6 +3,7 @@ use std::{fs, path::PathBuf};
 use anyhow::Context as _;
 use chattercheck::{
     examine::Fault,
+    judge::Judges,
     ladder, panel,
     replay::Replay,
     report::{self, Report},
@@ -30,6 +31,9 @@ pub(super) struct Arguments {
     oracles: Option<String>,
     #[command(flatten)]
     files: ReportFiles,
+    /// Judge every N-th case by proven enclosures, or `all`; those with something wrong are judged anyway
+    #[arg(long, value_name = "all|N", default_value = "10")]
+    judge: String,
     /// Run only the K-th of N shares of the cases
     #[arg(long, value_name = "K/N", default_value = "1/1")]
     partition: String,
@@ -55,6 +59,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         let wanted = arguments.oracles.as_deref().unwrap_or_default();
         return Err(Invalid::new("oracles", wanted, "names of two oracles at least: one alone proves nothing").into());
     }
+    let every = every(&arguments.judge)?;
+    let judges = panel::judges();
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
     arguments.files.check()?;
     let cases = verify::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
     if cases.is_empty() {
@@ -62,15 +69,23 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     let bar = progress(cases.len() as u64, arguments.quiet);
     let ladders = Some(ladder::descend(&panel)?);
-    let (report, failures) = verify::run(&panel, &cases, arguments.seed, ladders, || bar.inc(1));
+    let (report, failures) = verify::run(&panel, &judges, &cases, arguments.seed, ladders, || bar.inc(1));
     bar.finish_and_clear();
     arguments.files.write(&report, &cases)?;
     // A disagreement stays one where its replay files can't be written.
-    if let Err(error) = write_replays(&panel, &report, &failures, &arguments.replays) {
+    if let Err(error) = write_replays(&panel, &judges, &report, &failures, &arguments.replays) {
         eprintln!("chattercheck: no replay files: {error:#}");
     }
     print(&report::text(&report))?;
     Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
+}
+
+/// `all`, or how many cases are run for one that is judged.
+fn every(text: &str) -> Result<usize, Invalid> {
+    let every = if text == "all" { Some(1) } else { text.parse().ok() };
+    every
+        .filter(|every| *every > 0)
+        .ok_or_else(|| Invalid::new("judge", text, "all, or N >= 1 to judge every N-th case"))
 }
 
 /// `K/N` with `1 <= K <= N`.
@@ -102,12 +117,18 @@ fn concerned(oracles: &[String], fault: &Fault) -> Vec<String> {
 const MOST_REPLAYS: usize = 10;
 
 /// Shrinks the first fault of the first failures and writes each to a file.
-fn write_replays(panel: &[&dyn Oracle], report: &Report, failures: &[Failure], folder: &PathBuf) -> anyhow::Result<()> {
+fn write_replays(
+    panel: &[&dyn Oracle],
+    judges: &Judges,
+    report: &Report,
+    failures: &[Failure],
+    folder: &PathBuf,
+) -> anyhow::Result<()> {
     let replays: Vec<Replay> = failures
         .par_iter()
         .take(MOST_REPLAYS)
         .filter_map(|failure| {
-            let (case, fault) = shrink(panel, &failure.named.case, failure.faults.first()?);
+            let (case, fault) = shrink(panel, judges, &failure.named.case, failure.faults.first()?);
             Some(Replay::new(
                 &case,
                 &fault,

@@ -8,6 +8,15 @@ use crate::critical;
 /// How far from the threshold and from `a_cr` (relative to `a_cr - 1`) the walks come.
 const STEPS: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12];
 
+/// How far from `a_cr` the ladder stands: the condition of the chattering time grows by a known factor from rung to rung.
+const RUNGS: [f64; 10] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
+
+/// Where ladders stand: `(ω, η, α)`.
+const LADDERS: [(f64, f64, f64); 4] = [(2.0, 0.92, 0.1), (0.7, 0.85, 0.2), (5.0, 0.75, 0.05), (1.3, 0.95, 0.02)];
+
+/// How many times more impacts the ladder needs: near `a_cr` the sequence becomes geometric late.
+const DEEPER: usize = 4;
+
 /// The name and case of each step.
 pub(super) fn cases(stepper: &dyn Oracle) -> Vec<(String, Case)> {
     let mut cases = Vec::new();
@@ -45,5 +54,22 @@ pub(super) fn cases(stepper: &dyn Oracle) -> Vec<(String, Case)> {
     for (name, epsilon) in [("a=1", 0.0), ("a<1", -0.1), ("a=0", -1.0), ("a=1-ulp", -1.1e-16), ("a=1+1e-30", 1e-30)] {
         add(name.to_owned(), epsilon, 2.0, 0.92);
     }
+    cases.extend(ladders(stepper));
     cases
+}
+
+/// The rungs below and above `a_cr`, absolute in `a`.
+fn ladders(stepper: &dyn Oracle) -> Vec<(String, Case)> {
+    let mut rungs = Vec::new();
+    for (omega, eta, alpha) in LADDERS {
+        let Ok(Some((below, above))) = critical::bracket(stepper, omega, eta) else { continue };
+        for rung in RUNGS {
+            for (side, epsilon) in [('-', below - rung), ('+', above + rung)] {
+                let name = format!("a=a_cr{side}{rung:e},omega={omega},eta={eta},alpha={alpha}");
+                let deep = |case: Case| case.with_max_impacts(DEEPER * case.max_impacts()).ok();
+                rungs.extend(case(epsilon, omega, eta, alpha).and_then(deep).map(|case| (name, case)));
+            }
+        }
+    }
+    rungs
 }

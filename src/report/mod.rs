@@ -13,6 +13,7 @@ use crate::{
     compare::{Comparison, Figure, Verdict},
     examine::{Examination, Fault, PairOutcome},
     generate::{Generator, Named},
+    judge::{Calibration, ClaimOverError},
     ladder::Descent,
     observables::Observable,
     panel, tolerance,
@@ -39,6 +40,8 @@ pub struct Report {
     pub pairs: Vec<Pair>,
     /// The interval ratio of each oracle against its law.
     pub ratio_law: BTreeMap<String, WorstFigure>,
+    /// How the claims of each oracle compare with its true errors, on the cases that were judged.
+    pub judged: Judged,
     /// The ladders.
     pub ladders: Vec<Descent>,
     /// Cases in which something was wrong.
@@ -47,6 +50,15 @@ pub struct Report {
     pub shortfalls: Vec<String>,
     /// `pass` or `fail`.
     pub verdict: String,
+}
+
+/// What the judge found.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Judged {
+    /// How many cases it was asked.
+    pub cases: usize,
+    /// For each oracle and observable, its claims in multiples of its true errors.
+    pub claims: BTreeMap<String, BTreeMap<Observable, ClaimOverError>>,
 }
 
 /// What a run exercised.
@@ -119,6 +131,9 @@ pub struct FailedCase {
     pub case: CaseFields,
     /// What was wrong.
     pub faults: Vec<Fault>,
+    /// The oracles whose answers the judge confirmed.
+    #[serde(default)]
+    pub confirmed: Vec<String>,
 }
 
 /// The part of a report that is gathered case by case.
@@ -129,6 +144,8 @@ pub struct Tally {
     answered: BTreeMap<String, usize>,
     pairs: BTreeMap<(usize, usize), Pair>,
     ratio_law: BTreeMap<String, WorstFigure>,
+    judged: usize,
+    claims: BTreeMap<String, Calibration>,
 }
 
 impl WorstFigure {
@@ -160,6 +177,12 @@ impl Tally {
         for (answer, finding) in examination.answers.iter().zip(&examination.findings) {
             if let Some(figure) = finding.ratio {
                 tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
+            }
+        }
+        tally.judged = usize::from(!examination.judgements.is_empty());
+        for judgement in &examination.judgements {
+            if let Some(answer) = examination.answers.get(judgement.place) {
+                tally.claims.insert(answer.oracle.clone(), judgement.calibration.clone());
             }
         }
         for (i, j, outcome) in &examination.pairs {
@@ -202,6 +225,10 @@ impl Tally {
         }
         for (oracle, worst) in other.ratio_law {
             keep_worst(&mut self.ratio_law, oracle, worst);
+        }
+        self.judged += other.judged;
+        for (oracle, calibration) in other.claims {
+            self.claims.entry(oracle).or_default().add_all(calibration);
         }
         for (places, pair) in other.pairs {
             self.pairs.entry(places).or_default().add(pair);
@@ -275,6 +302,24 @@ impl Pair {
     }
 }
 
+impl Judged {
+    /// What is wrong with the claims as a whole. A claim that is too small is a fault of its case.
+    fn shortfalls(&self) -> impl Iterator<Item = String> {
+        let wide = |(oracle, claims): (&String, &BTreeMap<Observable, ClaimOverError>)| {
+            let (observable, figure) = claims.iter().max_by(|(_, one), (_, two)| one.median.total_cmp(&two.median))?;
+            let most = tolerance::CALIBRATION.value;
+            (self.cases >= ENOUGH_TO_CALIBRATE && figure.median > most).then(|| {
+                let median = figure.median;
+                format!("{oracle} claims {median:.0} times its true error in the median ({observable}), {most} at most")
+            })
+        };
+        self.claims.iter().filter_map(wide)
+    }
+}
+
+/// A median of fewer cases says little.
+const ENOUGH_TO_CALIBRATE: usize = 20;
+
 impl Report {
     /// The report of a run. A whole run has to prove something by itself; that of a few chosen cases only has to have compared anything.
     pub fn new(
@@ -288,6 +333,8 @@ impl Report {
         let name = |place: usize| oracles.get(place).copied().unwrap_or_default().to_owned();
         let pairs: Vec<Pair> =
             tally.pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
+        let claims = tally.claims.iter().map(|(oracle, claims)| (oracle.clone(), claims.figures())).collect();
+        let judged = Judged { cases: tally.judged, claims };
         let shortfalls = if whole {
             let silent = oracles
                 .iter()
@@ -303,7 +350,13 @@ impl Report {
             });
             let alone = (oracles.len() < 2).then(|| "fewer than two oracles: nothing was compared".to_owned());
             let crooked = ladders.iter().filter(|descent| !descent.holds()).map(Descent::describe);
-            silent.chain(declined).chain(alone).chain(pairs.iter().filter_map(Pair::shortfall)).chain(crooked).collect()
+            silent
+                .chain(declined)
+                .chain(alone)
+                .chain(pairs.iter().filter_map(Pair::shortfall))
+                .chain(judged.shortfalls())
+                .chain(crooked)
+                .collect()
         } else if pairs.iter().all(|pair| pair.impacts == pair.vacuous) {
             vec![
                 "nothing was compared: the oracles declined, or claim so little that nearly anything would have passed"
@@ -318,6 +371,7 @@ impl Report {
                 name: failure.named.to_string(),
                 case: CaseFields::from(&failure.named.case),
                 faults: failure.faults.clone(),
+                confirmed: failure.confirmed.clone(),
             })
             .collect();
         let verdict = if failures.is_empty() && shortfalls.is_empty() { "pass" } else { "fail" };
@@ -329,6 +383,7 @@ impl Report {
             declines: tally.declines,
             pairs,
             ratio_law: tally.ratio_law,
+            judged,
             ladders,
             failures,
             shortfalls,

@@ -52,6 +52,17 @@ pub fn text(report: &Report) -> String {
     line(&mut out, &pairs(report));
     line(&mut out, "");
     line(&mut out, &cases_of_worst(report));
+    line(&mut out, "");
+    line(
+        &mut out,
+        &format!(
+            "What each oracle claims in multiples of its true error, by the judge, on {} cases: the median, and the smallest (below 1 the\n\
+             claim is too small).",
+            report.judged.cases
+        ),
+    );
+    line(&mut out, &claims(report));
+    line(&mut out, "");
     for (ladder, held) in ladders(report) {
         line(&mut out, &format!("{ladder}: {held}"));
     }
@@ -106,6 +117,37 @@ fn pairs(report: &Report) -> String {
         let name = format!("{} : {}", pair.oracles[0], pair.oracles[1]);
         table.add_row(std::iter::once(name).chain(counts).chain(figures));
     }
+    right_but_first(&mut table);
+    table.to_string()
+}
+
+fn claims(report: &Report) -> String {
+    const COLUMNS: [(Observable, &str); 4] = [
+        (Observable::Interval, "interval"),
+        (Observable::Velocity, "velocity"),
+        (Observable::ImpactTime, "time"),
+        (Observable::ChatteringTime, "tau_ch"),
+    ];
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    table.set_header(["oracle", "numbers"].into_iter().chain(COLUMNS.map(|(_, head)| head)));
+    for (oracle, claims) in &report.judged.claims {
+        let numbers: usize = claims.values().map(|figure| figure.numbers).sum();
+        let figures = COLUMNS.map(|(observable, _)| {
+            claims.get(&observable).map_or("-".to_owned(), |f| format!("{} > {}", factor(f.median), factor(f.smallest)))
+        });
+        table.add_row([oracle.clone(), numbers.to_string()].into_iter().chain(figures));
+    }
+    right_but_first(&mut table);
+    table.to_string()
+}
+
+/// A factor to two digits.
+fn factor(value: f64) -> String {
+    if (0.095..99.5).contains(&value) { format!("{value:.1}") } else { format!("{value:.0e}") }
+}
+
+fn right_but_first(table: &mut Table) {
     for column in table.column_iter_mut() {
         column.set_padding((0, 1));
         column.set_cell_alignment(CellAlignment::Right);
@@ -113,7 +155,6 @@ fn pairs(report: &Report) -> String {
     if let Some(names) = table.column_mut(0) {
         names.set_cell_alignment(CellAlignment::Left);
     }
-    table.to_string()
 }
 
 fn figure(worst: &WorstFigure) -> String {
@@ -161,6 +202,9 @@ pub fn failure_text(failure: &FailedCase) -> String {
     for fault in &failure.faults {
         let _ = write!(out, "\n  {}", fault_text(fault));
     }
+    if !failure.confirmed.is_empty() {
+        let _ = write!(out, "\n  the judge confirms {}", failure.confirmed.join(", "));
+    }
     if let Some(suspect) = suspect(&failure.faults) {
         let _ = write!(out, "\n  in every failing pair: {suspect}");
     }
@@ -195,6 +239,20 @@ pub fn fault_text(fault: &Fault) -> String {
             };
             format!(
                 "{one} : {two} disagree on {}{place}: {mine} against {theirs}{size}{poisoned}",
+                disagreement.observable
+            )
+        }
+        Fault::Refuted { oracle, judge, disagreement } => {
+            let figure = disagreement.figure;
+            let place = if figure.impact > 0 { format!(", first at impact {}", figure.impact) } else { String::new() };
+            let [proven, answered] = &disagreement.values;
+            let size = if figure.difference.is_finite() {
+                format!(" (off by {:.2e}, claimed {:.2e})", figure.difference, figure.allowed)
+            } else {
+                String::new()
+            };
+            format!(
+                "{oracle} is WRONG on {}{place}: {answered}, proven {proven} by {judge}{size}",
                 disagreement.observable
             )
         }

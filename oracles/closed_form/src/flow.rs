@@ -22,7 +22,7 @@
 //!
 //! so at the impact, `h = 0`, no rounding error builds up over thousands of flights.
 
-use crate::forcing::Forcing;
+use crate::{dual::Scalar, forcing::Forcing};
 
 /// How many terms of `O` and `E` are held.
 const TERMS: usize = 11;
@@ -34,88 +34,90 @@ const SOME: (usize, f64) = (6, 0.32);
 
 /// The coefficients of `z^(m-1)`, each for `O` and for `E`.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct Row<T> {
     /// `1/(2m+1)!` and `1/(2m+2)!`, of `v` and of `c`.
     free: [f64; 2],
     /// The same times `q_m`, of `j` and of `k`.
-    forced: [f64; 2],
+    forced: [T; 2],
 }
 
 /// The series of one `ω`.
 #[derive(Debug, Clone)]
-pub(crate) struct Flow {
+pub(crate) struct Flow<T> {
     /// `max(1, ω)`: what a stretch is long or short against.
     rate: f64,
     /// The coefficients, lowest order first.
-    rows: [Row; TERMS],
+    rows: [Row<T>; TERMS],
 }
 
 /// `O` and `E` at one `s`, with their derivatives.
 #[derive(Debug, Clone, Copy)]
-struct Sums {
-    value: [f64; 2],
-    slope: [f64; 2],
+struct Sums<T> {
+    value: [T; 2],
+    slope: [T; 2],
     /// Half the second derivative.
-    bend: [f64; 2],
+    bend: [T; 2],
 }
 
 /// How a flight stands at one local time.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Motion {
+pub(crate) struct Motion<T> {
     /// `h = u/s`.
-    pub deflated: f64,
+    pub deflated: T,
     /// `s h'`.
-    pub slope: f64,
+    pub slope: T,
     /// `s² h''`, which is `s` times the derivative of the gain.
-    pub bend: f64,
+    pub bend: T,
     /// `u' - 2h + v`, which at the impact is `u' + v`: how much slower the flight lands than it left.
-    pub gain: f64,
+    pub gain: T,
 }
 
-impl Flow {
-    /// The series are summed for `max(1, ω) s` up to here.
-    pub const REACH: f64 = 2.0;
+/// The series are summed for `max(1, ω) s` up to here.
+const REACH: f64 = 2.0;
 
-    pub fn new(omega: f64) -> Self {
-        let (mut q, mut inverse_factorial) = (1.0, 0.5); // q_1, 1/2!
+impl<T: Scalar> Flow<T> {
+    pub fn new(omega: T) -> Self {
+        let (mut q, mut inverse_factorial) = (T::from(1.0), 0.5); // q_1, 1/2!
         let rows = core::array::from_fn(|index| {
             let n = (2 * index + 3) as f64;
             let free = [inverse_factorial / n, inverse_factorial / (n * (n + 1.0))];
-            let forced = free.map(|coefficient| q * coefficient);
-            q = 1.0 - omega * omega * q;
+            let forced = free.map(|coefficient| q.scaled(coefficient));
+            q = T::from(1.0) - omega * omega * q;
             [_, inverse_factorial] = free;
             Row { free, forced }
         });
-        Self { rate: omega.max(1.0), rows }
+        Self { rate: omega.value().max(1.0), rows }
     }
 
     /// The longest stretch that is summed at once.
     pub fn longest(&self) -> f64 {
-        Self::REACH / self.rate
+        REACH / self.rate
     }
 
     /// The motion `s` after leaving the base with `velocity`. Inlined, with what it calls: that nothing passes through memory is
     /// worth a tenth of the time of a flight.
-    #[inline]
-    pub fn after_impact(&self, s: f64, velocity: f64, forcing: &Forcing) -> Motion {
+    #[inline(always)]
+    pub fn after_impact(&self, s: T, velocity: T, forcing: &Forcing<T>) -> Motion<T> {
         Motion::after_impact(s, velocity, forcing, self.sums(s, [velocity, forcing.acceleration], forcing))
     }
 
     /// The rotation and velocity a stretch later, from those at its start.
-    pub fn advance(&self, s: f64, (rotation, velocity): (f64, f64), forcing: &Forcing) -> (f64, f64) {
+    pub fn advance(&self, s: T, (rotation, velocity): (T, T), forcing: &Forcing<T>) -> (T, T) {
         let acceleration = rotation + forcing.acceleration;
         let Sums { value: [o, e], slope: [o1, e1], .. } = self.sums(s, [velocity, acceleration], forcing);
         let z = s * s;
         (
-            rotation + s * (velocity + (0.5 * s * acceleration + z * (o + s * e))),
-            velocity + (s * acceleration + z * ((3.0 * o + 2.0 * z * o1) + s * (4.0 * e + 2.0 * z * e1))),
+            rotation + s * (velocity + (s.scaled(0.5) * acceleration + z * (o + s * e))),
+            velocity
+                + (s * acceleration
+                    + z * ((o.scaled(3.0) + z.scaled(2.0) * o1) + s * (e.scaled(4.0) + z.scaled(2.0) * e1))),
         )
     }
 
     /// `O`, `E` and their derivatives, from `[v, c]` and the forcing.
-    #[inline]
-    fn sums(&self, s: f64, start: [f64; 2], forcing: &Forcing) -> Sums {
-        match self.rate * s {
+    #[inline(always)]
+    fn sums(&self, s: T, start: [T; 2], forcing: &Forcing<T>) -> Sums<T> {
+        match self.rate * s.value() {
             x if x < FEW.1 => self.first_terms::<{ FEW.0 }>(s, start, forcing),
             x if x < SOME.1 => self.first_terms::<{ SOME.0 }>(s, start, forcing),
             _ => self.first_terms::<TERMS>(s, start, forcing),
@@ -123,13 +125,14 @@ impl Flow {
     }
 
     /// The sums of the first `N` terms, by Horner's rule.
-    #[inline]
-    fn first_terms<const N: usize>(&self, s: f64, [v, c]: [f64; 2], forcing: &Forcing) -> Sums {
+    #[inline(always)]
+    fn first_terms<const N: usize>(&self, s: T, [v, c]: [T; 2], forcing: &Forcing<T>) -> Sums<T> {
         let Forcing { jerk, snap, .. } = *forcing;
         let z = s * s;
-        let (mut value, mut slope, mut bend) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        let zero = [T::from(0.0); 2];
+        let (mut value, mut slope, mut bend) = (zero, zero, zero);
         for Row { free, forced } in self.rows.iter().take(N).rev() {
-            let [odd, even] = [free[0] * v + forced[0] * jerk, free[1] * c + forced[1] * snap];
+            let [odd, even] = [v.scaled(free[0]) + forced[0] * jerk, c.scaled(free[1]) + forced[1] * snap];
             bend = [bend[0] * z + slope[0], bend[1] * z + slope[1]];
             slope = [slope[0] * z + value[0], slope[1] * z + value[1]];
             value = [value[0] * z + odd, value[1] * z + even];
@@ -138,13 +141,16 @@ impl Flow {
     }
 }
 
-impl Motion {
-    fn after_impact(s: f64, velocity: f64, forcing: &Forcing, sums: Sums) -> Self {
+impl<T: Scalar> Motion<T> {
+    #[inline]
+    fn after_impact(s: T, velocity: T, forcing: &Forcing<T>, sums: Sums<T>) -> Self {
         let Sums { value: [o, e], slope: [o1, e1], bend: [o2, e2] } = sums;
         let z = s * s;
-        let deflated = velocity + (0.5 * s * forcing.acceleration + z * (o + s * e));
-        let gain = z * ((o + 2.0 * z * o1) + 2.0 * s * (e + z * e1));
-        let bend = z * ((2.0 * o + z * (10.0 * o1 + 8.0 * z * o2)) + s * (6.0 * e + z * (14.0 * e1 + 8.0 * z * e2)));
+        let deflated = velocity + (s.scaled(0.5) * forcing.acceleration + z * (o + s * e));
+        let gain = z * ((o + z.scaled(2.0) * o1) + s.scaled(2.0) * (e + z * e1));
+        let bend = z
+            * ((o.scaled(2.0) + z * (o1.scaled(10.0) + z.scaled(8.0) * o2))
+                + s * (e.scaled(6.0) + z * (e1.scaled(14.0) + z.scaled(8.0) * e2)));
         Self { deflated, slope: (deflated - velocity) + gain, bend, gain }
     }
 }

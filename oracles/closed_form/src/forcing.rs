@@ -1,6 +1,9 @@
 //! The forcing of Eq. 4 at one instant, seen from one side of the base.
 
-use crate::twofold::{Split, Twofold};
+use crate::{
+    dual::{Dual, Scalar},
+    twofold::{Split, Twofold},
+};
 
 /// The excitation `f(τ) = a sin(ωτ + ψ)` with the phase of Eq. 12, as `a sin ψ = 1` and `a cos ψ = sqrt(2ε + ε²)` (Eq. 24):
 /// the phase itself is never formed.
@@ -16,22 +19,22 @@ pub(crate) struct Excitation {
 
 /// What drives the distance from the base, `u = i φ`, at one instant: `u'' = u - 1 - i f` and the derivatives of its forcing.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Forcing {
+pub(crate) struct Forcing<T = f64> {
     /// `-1 - i f`: the acceleration at the base; negative towards it.
-    pub acceleration: f64,
+    pub acceleration: T,
     /// `-i f'`.
-    pub jerk: f64,
+    pub jerk: T,
     /// `-i f'' = i ω² f`.
-    pub snap: f64,
+    pub snap: T,
     /// Bounds on the rounding errors of `acceleration` and `jerk`, in units of the unit round-off.
     pub rounding: (f64, f64),
 }
 
 /// The sine and cosine of half the phase that has passed since initiation.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct HalfPhase {
-    pub sin: f64,
-    pub cos: f64,
+pub(crate) struct HalfPhase<T = f64> {
+    pub sin: T,
+    pub cos: T,
 }
 
 impl Excitation {
@@ -53,33 +56,49 @@ impl Excitation {
     }
 
     /// The forcing on the side `sign` of the base.
-    ///
-    /// With `x = ωτ`: `f = sin x sqrt(2ε + ε²) + cos x`, so in half angles both `f - 1` and `f + 1` factor, and neither
-    /// cancels where it vanishes identically (at initiation and at `T/2`).
     pub fn forcing(&self, sign: f64, half: HalfPhase) -> Forcing {
-        let HalfPhase { sin, cos } = half;
-        let (factor, one, other) = if sign < 0.0 {
-            (2.0 * sin, self.cosine * cos, -sin) // f - 1
-        } else {
-            (-2.0 * cos, cos, self.cosine * sin) // -(1 + f)
-        };
-        let acceleration = factor * (one + other);
-        // f'/ω = sqrt(2ε + ε²) cos x - sin x
-        let (rate, other_rate) = (self.cosine * (cos - sin) * (cos + sin), 2.0 * sin * cos);
-        Forcing {
-            acceleration,
-            jerk: -sign * self.omega * (rate - other_rate),
-            snap: -self.omega * self.omega * (1.0 + acceleration),
-            rounding: (
-                1.5 * factor.abs() * (one.abs() + other.abs()),
-                1.5 * self.omega * (rate.abs() + other_rate.abs()),
-            ),
-        }
+        Forcing::new(sign, half, self.cosine, self.omega)
     }
 
     /// `sup(-1 - i f) = a - 1`, over both signs and all times.
     pub fn largest_acceleration(&self) -> f64 {
         self.epsilon
+    }
+}
+
+impl<T: Scalar> Forcing<T> {
+    /// The forcing on the side `sign` of the base, with `cosine = sqrt(2ε + ε²)`.
+    ///
+    /// With `x = ωτ`: `f = sin x sqrt(2ε + ε²) + cos x`, so in half angles both `f - 1` and `f + 1` factor, and neither
+    /// cancels where it vanishes identically (at initiation and at `T/2`).
+    #[inline]
+    pub fn new(sign: f64, half: HalfPhase<T>, cosine: T, omega: T) -> Self {
+        let HalfPhase { sin, cos } = half;
+        let (factor, one, other) = if sign < 0.0 {
+            (sin.scaled(2.0), cosine * cos, -sin) // f - 1
+        } else {
+            (cos.scaled(-2.0), cos, cosine * sin) // -(1 + f)
+        };
+        let acceleration = factor * (one + other);
+        // f'/ω = sqrt(2ε + ε²) cos x - sin x
+        let (rate, other_rate) = (cosine * (cos - sin) * (cos + sin), sin.scaled(2.0) * cos);
+        let size = |x: T| x.value().abs();
+        Self {
+            acceleration,
+            jerk: omega.scaled(-sign) * (rate - other_rate),
+            snap: -(omega * omega) * (T::from(1.0) + acceleration),
+            rounding: (
+                1.5 * size(factor) * (size(one) + size(other)),
+                1.5 * omega.value() * (size(rate) + size(other_rate)),
+            ),
+        }
+    }
+}
+
+impl HalfPhase {
+    /// The same with derivatives, from those of half the phase.
+    pub fn with_derivatives(self, half_phase: Dual) -> HalfPhase<Dual> {
+        HalfPhase { sin: half_phase.chain(self.sin, self.cos), cos: half_phase.chain(self.cos, -self.sin) }
     }
 }
 

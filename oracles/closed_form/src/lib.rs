@@ -4,26 +4,32 @@
 //! A flight is followed in local time as the distance from the base, `u = i φ >= 0`, for which Eq. 4 reads
 //! `u'' = u - 1 - i f`. `flow` is its exact solution, `forcing` the excitation, `flight` finds the first impact and
 //! proves that it is the first, `march` does so where Newton's method can't, `sequence` strings flights together,
-//! and `rest` knows when the rest of the sequence is certain.
+//! and `rest` knows when the rest of the sequence is certain. `sensitivity` follows the same impacts with `dual` numbers, which carry
+//! their derivatives by the parameters.
 #![cfg_attr(test, allow(clippy::indexing_slicing))]
 
+mod dual;
+mod error;
 mod flight;
 mod flow;
 mod forcing;
 mod march;
 mod rest;
+mod sensitivity;
 mod sequence;
 mod twofold;
 
-use contract::{Case, Decline, Ending, History, Model, Oracle};
+use contract::{Case, Decline, Ending, History, Model, Oracle, Sensitivity};
+
+use crate::{forcing::Excitation, sensitivity::Follower};
 
 /// The unit round-off.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
 /// The oracle. It has no settings: it is as accurate as a double allows.
 ///
-/// It claims for each number the rounding errors of all flights so far, carried through the derivatives of each flight, so that
-/// the claim grows with the conditioning of the case (near the critical amplitude, above all).
+/// It claims for each number the rounding errors of all flights so far, independent of each other and carried through the derivatives of each
+/// flight, so that the claim grows with the conditioning of the case (near the critical amplitude, above all).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ClosedForm;
 
@@ -40,11 +46,27 @@ impl Oracle for ClosedForm {
         if case.epsilon() <= 0.0 {
             return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
         }
-        within("epsilon", case.epsilon(), 1e-60, 1e9, "1e-60 <= epsilon <= 1e9")?;
-        within("omega", case.omega(), 1e-6, 1e6, "1e-6 <= omega <= 1e6")?;
-        within("eta", case.eta(), 1e-6, 1.0, "1e-6 <= eta < 1")?;
-        Ok(sequence::follow(case))
+        within_reach(case)?;
+        let excitation = Excitation::new(case.epsilon(), case.omega());
+        Ok(sequence::follow(case, &excitation, None))
     }
+
+    fn sensitivities(&self, case: &Case) -> Option<Vec<Sensitivity>> {
+        if case.epsilon() <= 0.0 {
+            return Some(Vec::new());
+        }
+        within_reach(case).ok()?;
+        let excitation = Excitation::new(case.epsilon(), case.omega());
+        let mut follower = Follower::new(&excitation, case.eta());
+        sequence::follow(case, &excitation, Some(&mut follower));
+        Some(follower.found)
+    }
+}
+
+fn within_reach(case: &Case) -> Result<(), Decline> {
+    within("epsilon", case.epsilon(), 1e-60, 1e9, "1e-60 <= epsilon <= 1e9")?;
+    within("omega", case.omega(), 1e-6, 1e6, "1e-6 <= omega <= 1e6")?;
+    within("eta", case.eta(), 1e-6, 1.0, "1e-6 <= eta < 1")
 }
 
 fn within(field: &'static str, value: f64, least: f64, most: f64, allowed: &'static str) -> Result<(), Decline> {

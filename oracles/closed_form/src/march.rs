@@ -5,7 +5,6 @@
 //! the first; near a transversal impact the steps converge quadratically, near a grazing one they halve.
 
 use crate::{
-    UNIT,
     flight::{Landing, Outcome, Takeoff},
     twofold::Twofold,
 };
@@ -31,8 +30,10 @@ pub(crate) fn fly(takeoff: Takeoff) -> Outcome {
         here = excitation.forcing(sign, excitation.half_phase(time.plus(step)));
     }
 
+    let mut size: f64 = 0.0;
     for _ in 0..STEPS {
         let (rotation, velocity) = state;
+        size = size.max(rotation.abs() + velocity.abs());
         // (u + u')' = u + u' - 1 - i f is positive from here on, so u + u' stays positive: u cannot come down through zero.
         if rotation + velocity > 1.0 + amplitude {
             return Outcome::Overturned;
@@ -45,7 +46,7 @@ pub(crate) fn fly(takeoff: Takeoff) -> Outcome {
         });
         let arrived = rotation <= 0.0 && elapsed.high > 0.0;
         if arrived || step <= 0.25 * f64::EPSILON * elapsed.high {
-            return Outcome::Landing(land(&takeoff, elapsed.value(), state, here.acceleration));
+            return Outcome::Landing(land(&takeoff, elapsed.value(), state, here.acceleration, size));
         }
         state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
@@ -75,23 +76,21 @@ fn safe_step((rotation, velocity): (f64, f64), acceleration: f64, longest: f64, 
     root(acceleration - length * fall(length)).min(length)
 }
 
-/// The impact at the end of the march. The flight is long, so what a short one must have by itself is had by difference.
-fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), forced: f64) -> Landing {
-    let Takeoff { speed, forcing, .. } = *takeoff;
-    let (sinh, cosh) = (interval.sinh(), interval.cosh());
+/// The impact at the end of the march, on which `|u| + |u'|` was `size` at the most. The flight is long, so what a short one must have by
+/// itself is had by difference.
+fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), acceleration: f64, size: f64) -> Landing {
     let velocity = velocity.min(0.0);
-    // u_τ = u' - v cosh s - b sinh s, and its derivative
-    let by_time =
-        (velocity - speed * cosh - forcing.acceleration * sinh, forced - speed * sinh - forcing.acceleration * cosh);
-    let size = (speed + interval) * cosh;
+    let (by_speed, by_time) = takeoff.derivatives(interval, velocity, acceleration);
+    // Measured, as all that is made of it.
+    let error = 4.0 * size * interval.cosh();
     Landing {
         interval,
-        gain: velocity + speed,
+        gain: velocity + takeoff.speed,
         velocity,
-        acceleration: forced,
-        off_parabola: forced - 2.0 * velocity / interval,
-        by_speed: (sinh, cosh),
+        acceleration,
+        off_parabola: acceleration - 2.0 * velocity / interval,
+        by_speed,
         by_time,
-        rounding: (16.0 * UNIT * size * interval, 16.0 * UNIT * size),
+        rounding: (error / interval, error),
     }
 }

@@ -1,29 +1,23 @@
-//! The sequence of flights and impacts (Eq. 13), with the bound on the error that each one inherits and adds.
+//! The sequence of flights and impacts (Eq. 13), with the error that each one inherits and adds.
 
 use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
 
 use crate::{
     UNIT,
-    flight::{Landing, Outcome, Takeoff},
+    error::Errors,
+    flight::{Outcome, Takeoff},
     flow::Flow,
     forcing::{Excitation, HalfPhase},
     rest::ProofOfRest,
+    sensitivity::Follower,
     twofold::{Split, Twofold},
 };
 
 /// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
 const SLOWEST: f64 = 1e-280;
 
-/// Bounds on the absolute errors of the time and of the speed after an impact.
-#[derive(Clone, Copy)]
-struct Errors {
-    time: f64,
-    speed: f64,
-}
-
-/// Steps through the impacts of a case that rocks.
-pub(crate) fn follow(case: &Case) -> History {
-    let excitation = Excitation::new(case.epsilon(), case.omega());
+/// Steps through the impacts of a case that rocks. A `follower` is shown every flight that ends in an impact of the list.
+pub(crate) fn follow(case: &Case, excitation: &Excitation, mut follower: Option<&mut Follower>) -> History {
     let flow = Flow::new(case.omega());
     let half_period = core::f64::consts::PI / case.omega();
     let (horizon, beyond) = match case.horizon() {
@@ -36,15 +30,15 @@ pub(crate) fn follow(case: &Case) -> History {
     let mut speed = Twofold::ZERO;
     let mut sign = -1.0;
     let mut forcing = excitation.forcing(sign, HalfPhase { sin: 0.0, cos: 1.0 });
-    let mut errors = Errors { time: 0.0, speed: 0.0 };
+    let mut errors = Errors::NONE;
     let mut guesses = [None, None];
     let eta = Split::new(case.eta());
-    let proof = ProofOfRest::new(&excitation, case.eta());
+    let proof = ProofOfRest::new(excitation, case.eta());
     let mut complete = false;
     let ending = loop {
         let [guess, other] = guesses;
         let takeoff = Takeoff {
-            excitation: &excitation,
+            excitation,
             flow: &flow,
             time,
             sign,
@@ -67,8 +61,8 @@ pub(crate) fn follow(case: &Case) -> History {
         if past || now >= horizon {
             break beyond;
         }
-        let interval_error;
-        (errors, interval_error) = inherit(&takeoff, &landing, errors, case.eta());
+        let interval_variance;
+        (errors, interval_variance) = errors.after(&takeoff, &landing);
         speed = speed.plus(-landing.gain).times(eta);
         sign = -sign;
         forcing = excitation.forcing(sign, half);
@@ -76,16 +70,20 @@ pub(crate) fn follow(case: &Case) -> History {
         if !(landing.interval > 0.0 && departure >= 0.0 && now.is_finite()) {
             break Ending::Lost(Loss::NotFinite);
         }
+        let [time_error, interval_error, speed_error] = errors.claims(interval_variance);
         impacts.push(Impact {
             time: now,
             interval: landing.interval,
             velocity: sign * departure,
             uncertainty: Uncertainty {
-                time: errors.time + UNIT * now,
-                interval: interval_error / landing.interval,
-                velocity: errors.speed / departure + UNIT,
+                time: time_error + UNIT * now,
+                interval: interval_error,
+                velocity: speed_error + UNIT,
             },
         });
+        if let Some(follower) = follower.as_deref_mut() {
+            follower.land(&takeoff, landing.interval);
+        }
         guesses = [other, Some(landing.interval)];
         complete = complete || proof.holds(&forcing, departure);
         if departure < SLOWEST {
@@ -96,30 +94,4 @@ pub(crate) fn follow(case: &Case) -> History {
         }
     };
     History { impacts, ending, chattering_time: None }
-}
-
-/// The errors after an impact, and that of the interval: what the flight makes of those it started with, through its
-/// derivatives (that of the impact time follows from `u = 0`), and what its own rounding adds.
-fn inherit(takeoff: &Takeoff, landing: &Landing, errors: Errors, eta: f64) -> (Errors, f64) {
-    let (sinh, cosh) = landing.by_speed;
-    let (tilt, turn) = landing.by_time;
-    let slowness = -1.0 / landing.velocity.min(-f64::MIN_POSITIVE);
-    let (interval_by_speed, interval_by_time) = (sinh * slowness, tilt * slowness);
-    let (own_rotation, own_gain) = landing.rounding;
-    let own = own_rotation * slowness + UNIT * landing.interval;
-    // Moving the impact by ds changes the speed by u'' ds; an error of its own place leaves out what the parabola changes without
-    // changing the gain.
-    let inherited = Errors {
-        time: (1.0 + interval_by_time).abs() * errors.time
-            + interval_by_speed * errors.speed
-            + own
-            + UNIT * UNIT * takeoff.time.high,
-        speed: eta
-            * ((cosh + landing.acceleration * interval_by_speed).abs() * errors.speed
-                + (turn + landing.acceleration * interval_by_time).abs() * errors.time
-                + landing.off_parabola.abs() * own
-                + own_gain
-                + 4.0 * UNIT * UNIT * takeoff.speed),
-    };
-    (inherited, interval_by_time.abs() * errors.time + interval_by_speed * errors.speed + own)
 }

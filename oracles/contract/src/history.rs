@@ -40,6 +40,18 @@ pub struct Uncertainty {
     pub velocity: f64,
 }
 
+/// The derivatives of one impact by the amplitude `a` (equally by `ε = a - 1`), the frequency ratio `ω` and the restitution `η`, in this
+/// order; each in the unit of the quantity by that of the parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sensitivity {
+    /// Of [`Impact::time`].
+    pub time: [f64; 3],
+    /// Of [`Impact::interval`].
+    pub interval: [f64; 3],
+    /// Of [`Impact::velocity`].
+    pub velocity: [f64; 3],
+}
+
 /// A value, and the largest error claimed for it, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {

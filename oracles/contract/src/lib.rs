@@ -22,6 +22,6 @@ mod invalid;
 mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
-pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Uncertainty};
+pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, Uncertainty};
 pub use invalid::Invalid;
 pub use oracle::{Decline, Model, Oracle};

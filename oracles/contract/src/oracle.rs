@@ -1,7 +1,7 @@
-use alloc::string::String;
+use alloc::{string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Case, History};
+use crate::{Case, History, Sensitivity};
 
 /// One method that turns a case into an impact history.
 ///
@@ -19,6 +19,12 @@ pub trait Oracle: Send + Sync {
     /// A [`Decline`] when the oracle cannot do this case. Losing the sequence half-way is not a decline but
     /// [`Ending::Lost`](crate::Ending::Lost).
     fn history(&self, case: &Case) -> Result<History, Decline>;
+
+    /// How the impacts of that history answer to small changes of the parameters, impact by impact; `None` from an oracle that does not
+    /// know, or declines the case.
+    fn sensitivities(&self, _case: &Case) -> Option<Vec<Sensitivity>> {
+        None
+    }
 }
 
 /// The equation of motion between impacts.

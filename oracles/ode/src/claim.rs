@@ -38,10 +38,10 @@ impl Calibration {
     /// random cases of its own, where the coarse run alone, with larger safeties, fell short in one case of 2,000.
     pub fn of(method: Method) -> Self {
         match method {
-            Method::Tsit45 => Self { safety: [4.0, 0.3], floor: 5.0 },
+            Method::Tsit45 => Self { safety: [2.0, 0.2], floor: 2.5 },
             // Its order varies, so its error follows the tolerance less smoothly than the others do.
-            Method::Bdf => Self { safety: [6.0, 0.3], floor: 250.0 },
-            Method::TrBdf2 | Method::Esdirk34 => Self { safety: [6.0, 1.0], floor: 10.0 },
+            Method::Bdf => Self { safety: [2.5, 0.2], floor: 125.0 },
+            Method::TrBdf2 | Method::Esdirk34 => Self { safety: [4.0, 0.6], floor: 7.0 },
         }
     }
 }

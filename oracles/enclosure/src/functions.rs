@@ -1,0 +1,70 @@
+//! The functions that the motion needs, each from a series with a bound on what is left out.
+
+use crate::{directed::Directed, interval::Interval};
+
+/// The sine and the cosine.
+///
+/// The series are those at a small fraction of the argument, which doubling brings back to it. By Taylor's theorem what is left out
+/// after the term of degree `n` is at most `|x|^(n+1)/(n+1)!` for both, because no derivative exceeds 1.
+pub fn sin_cos<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
+    let mut halvings = 0;
+    let mut small = x.clone();
+    let half = Interval::exactly(0.5);
+    while small.magnitude() > 0.5 && halvings < 64 {
+        small = &small * &half;
+        halvings += 1;
+    }
+    let square = small.squared();
+    let one = Interval::exactly(1.0);
+    // sin x = x S(x²), cos x = C(x²), with the terms of both side by side.
+    let (mut sine, mut cosine) = (one.clone(), one.clone());
+    let (mut sine_term, mut cosine_term) = (one.clone(), one.clone());
+    let mut n = 0;
+    loop {
+        n += 2;
+        cosine_term = -&(&(&cosine_term * &square) / &Interval::whole((n - 1) * n));
+        sine_term = -&(&(&sine_term * &square) / &Interval::whole(n * (n + 1)));
+        let left_out = cosine_term.magnitude();
+        if n > 4 && left_out < (2.0_f64).powi(-(F::BITS as i32) - 4) || n > 1000 {
+            // The terms of this degree are bounds on all from here on.
+            let bound = Interval::within(left_out);
+            sine = &sine + &bound;
+            cosine = &cosine + &bound;
+            break;
+        }
+        sine = &sine + &sine_term;
+        cosine = &cosine + &cosine_term;
+    }
+    let mut sine = &small * &sine;
+    let two = Interval::exactly(2.0);
+    for _ in 0..halvings {
+        let twice = &two * &(&sine * &cosine);
+        cosine = &one - &(&two * &sine.squared());
+        sine = twice;
+    }
+    let unit = Interval::within(1.0);
+    (sine.and(&unit), cosine.and(&unit))
+}
+
+/// `π = 16 atan(1/5) - 4 atan(1/239)` (Machin).
+pub fn pi<F: Directed>() -> Interval<F> {
+    let (far, near) = (arctangent_of_inverse(5), arctangent_of_inverse(239));
+    &(&Interval::exactly(16.0) * &far) - &(&Interval::exactly(4.0) * &near)
+}
+
+/// `atan(1/n)`: an alternating series of falling terms, so that the first one left out bounds the rest.
+fn arctangent_of_inverse<F: Directed>(n: usize) -> Interval<F> {
+    let square = Interval::whole(n * n);
+    let mut power = &Interval::exactly(1.0) / &Interval::whole(n);
+    let mut sum = Interval::zero();
+    let mut odd = 1;
+    loop {
+        let term = &power / &Interval::whole(odd);
+        if term.magnitude() < (2.0_f64).powi(-(F::BITS as i32) - 8) {
+            return &sum + &Interval::within(term.magnitude());
+        }
+        sum = if odd % 4 == 1 { &sum + &term } else { &sum - &term };
+        power = &power / &square;
+        odd += 2;
+    }
+}

@@ -1,0 +1,32 @@
+//! The judge: intervals that are proven to contain every impact time, interval and velocity and the chattering time, for the linear equation
+//! (Eq. 4) and the nonlinear one (Eq. 2).
+//!
+//! Every operation is rounded outward (`directed`, `digits`, `interval`), every series carries a bound on what it leaves out (`functions`,
+//! `piece`), the impact is proven to be the first root of its flight (`piece`, `flight`), and the ending is proven too: complete, because from
+//! some impact on the map from one impact to the next contracts over all that is left (`rest`); incomplete, because half a period passes in the
+//! air; or undecided, and then it says so. Where doubles are not enough, more digits are used (`ladder`).
+// `!(x > 0.0)` is meant: it also holds where `x` is not a number.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+#![cfg_attr(test, allow(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used))]
+
+mod bounds;
+mod critical;
+mod digits;
+mod directed;
+mod equation;
+mod excitation;
+mod flight;
+mod functions;
+mod interval;
+mod ladder;
+mod oracle;
+mod piece;
+mod rest;
+mod sequence;
+#[cfg(test)]
+mod tests;
+mod twofold;
+
+pub use bounds::Bounds;
+pub use critical::{Critical, critical_amplitude};
+pub use oracle::{Enclosed, EnclosedImpact, Enclosure};

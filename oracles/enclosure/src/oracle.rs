@@ -1,0 +1,192 @@
+use contract::{
+    Case, Decline, Ending, Estimate, History, Horizon, Impact, Invalid, Limit, Model, Oracle, Slenderness, Uncertainty,
+};
+
+use crate::{
+    bounds::Bounds,
+    directed::Directed,
+    interval::Interval,
+    ladder::{Attempt, bits_for, climb},
+    sequence::{self, End, Sequence, Wanted},
+};
+
+/// The oracle whose claims are proven.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Enclosure {
+    model: Model,
+    digits: u32,
+}
+
+/// Everything that is proven of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Enclosed {
+    /// The impacts in order.
+    pub impacts: Vec<EnclosedImpact>,
+    /// How the history ends.
+    pub ending: Ending,
+    /// The chattering time `τ_ch`, where the chattering is complete.
+    pub chattering_time: Option<Bounds>,
+    /// With how many bits it was found.
+    pub bits: u32,
+}
+
+/// Bounds for one impact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnclosedImpact {
+    /// The time `τ_n`.
+    pub time: Bounds,
+    /// The interval `Δτ_(n-1)`.
+    pub interval: Bounds,
+    /// The velocity `φ'` just after the impact.
+    pub velocity: Bounds,
+}
+
+/// How many impacts are followed to the proof of an ending if fewer are asked for.
+const FOLLOWED: usize = 50_000;
+
+impl Enclosure {
+    /// How many digits a user may ask for.
+    pub const MOST_DIGITS: u32 = 100;
+
+    /// Digits enough for the rounding to doubles to be the largest part of what is claimed.
+    const ENOUGH_FOR_DOUBLES: u32 = 17;
+
+    /// The oracle for one of the two equations.
+    pub fn new(model: Model) -> Self {
+        Self { model, digits: Self::ENOUGH_FOR_DOUBLES }
+    }
+
+    /// The same oracle, with this many correct digits in every number; fewer in a chattering time that would take too many impacts.
+    ///
+    /// # Errors
+    /// When `digits` is 0 or above [`Enclosure::MOST_DIGITS`].
+    pub fn with_digits(self, digits: u32) -> Result<Self, Invalid> {
+        if digits == 0 || digits > Self::MOST_DIGITS {
+            return Err(Invalid::new("digits", digits, "1 <= digits <= 100"));
+        }
+        Ok(Self { digits, ..self })
+    }
+
+    /// How many digits are asked of it.
+    pub fn digits(&self) -> u32 {
+        self.digits
+    }
+
+    /// Bounds for every impact that the case asks for, and for its chattering time.
+    ///
+    /// # Errors
+    /// A [`Decline`] when the model needs a slenderness that the case does not have, a quantity is out of range, or the ending is undecided.
+    pub fn enclose(&self, case: &Case) -> Result<Enclosed, Decline> {
+        let slenderness = match self.model {
+            Model::Linear => None,
+            Model::Nonlinear => Some(case.slenderness().ok_or(Decline::NeedsSlenderness)?),
+        };
+        within("epsilon", case.epsilon(), -1.0, 1e9, "-1 <= epsilon <= 1e9")?;
+        if case.epsilon() > 0.0 {
+            within("epsilon", case.epsilon(), 1e-60, 1e9, "1e-60 <= epsilon <= 1e9")?;
+        }
+        within("omega", case.omega(), 1e-6, 1e6, "1e-6 <= omega <= 1e6")?;
+        within("eta", case.eta(), 1e-6, 1.0, "1e-6 <= eta < 1")?;
+        if let Horizon::Until(time) = case.horizon() {
+            within("until", time, 0.0, 1e6, "until <= 1e6")?;
+        }
+        let width = (0.1_f64).powi(self.digits as i32);
+        let attempt = Following { case, slenderness, width };
+        let undecided = Decline::NotConvergent {
+            why: "undecided: too near to the edge between complete and incomplete chattering, or to a grazing impact, for the digits that are tried".to_owned(),
+        };
+        // Doubles never give more than some twelve digits.
+        let bits = if self.digits <= 12 { 53 } else { bits_for(self.digits) + 12 };
+        climb(&attempt, bits).ok_or(undecided)
+    }
+}
+
+fn within(field: &'static str, value: f64, least: f64, most: f64, allowed: &'static str) -> Result<(), Decline> {
+    if (least..=most).contains(&value) { Ok(()) } else { Err(Decline::OutOfRange { field, value, allowed }) }
+}
+
+/// A case followed with some number of digits.
+struct Following<'a> {
+    case: &'a Case,
+    slenderness: Option<Slenderness>,
+    width: f64,
+}
+
+impl Attempt for Following<'_> {
+    type Answer = Option<Enclosed>;
+
+    fn with<F: Directed>(&self) -> (Option<Enclosed>, bool) {
+        let wanted = Wanted { impacts: self.case.max_impacts(), followed: FOLLOWED, width: 0.5 * self.width };
+        let sequence = sequence::follow::<F>(self.case, self.slenderness, wanted);
+        let narrow = |interval: &Interval<F>| interval.relative_width() <= self.width;
+        let good = sequence.impacts.iter().all(|i| narrow(&i.time) && narrow(&i.interval) && narrow(&i.speed))
+            && match &sequence.end {
+                // With more digits fewer impacts can be followed.
+                End::Complete(time) => narrow(time) || sequence.exhausted,
+                End::Unclear => sequence.exhausted,
+                _ => true,
+            };
+        (enclosed(sequence), good)
+    }
+}
+
+/// What a sequence proves; `None` if that is nothing.
+fn enclosed<F: Directed>(sequence: Sequence<F>) -> Option<Enclosed> {
+    let impacts = sequence.impacts.into_iter().map(|impact| {
+        let velocity = if impact.side.sign() > 0.0 { impact.speed } else { -&impact.speed };
+        Some(EnclosedImpact {
+            time: Bounds::new(&impact.time)?,
+            interval: Bounds::new(&impact.interval)?,
+            velocity: Bounds::new(&velocity)?,
+        })
+    });
+    let (ending, chattering_time) = match &sequence.end {
+        End::NeverRocks => (Ending::NeverRocks, None),
+        End::Complete(time) => (Ending::AtRest, Some(Bounds::new(time)?)),
+        End::HalfPeriod => (Ending::Incomplete, None),
+        End::Horizon => (Ending::LimitReached(Limit::Time), None),
+        End::Overturned => (Ending::Overturned, None),
+        End::Impacts => (Ending::LimitReached(Limit::Impacts), None),
+        End::Unclear => return None,
+    };
+    Some(Enclosed { impacts: impacts.collect::<Option<_>>()?, ending, chattering_time, bits: F::BITS })
+}
+
+impl Oracle for Enclosure {
+    fn name(&self) -> &str {
+        match self.model {
+            Model::Linear => "enclosure/linear",
+            Model::Nonlinear => "enclosure/nonlinear",
+        }
+    }
+
+    fn model(&self) -> Model {
+        self.model
+    }
+
+    fn history(&self, case: &Case) -> Result<History, Decline> {
+        Ok(self.enclose(case)?.history())
+    }
+}
+
+impl Enclosed {
+    /// The same as a history: the middle of each interval, and half its width as what is claimed.
+    pub fn history(&self) -> History {
+        let relative = |bounds: &Bounds| {
+            let (value, uncertainty) = bounds.middle();
+            (value, (uncertainty / bounds.lower().abs().min(bounds.upper().abs())).next_up())
+        };
+        let impacts = self.impacts.iter().map(|impact| {
+            let (time, time_claim) = impact.time.middle();
+            let (interval, interval_claim) = relative(&impact.interval);
+            let (velocity, velocity_claim) = relative(&impact.velocity);
+            let uncertainty = Uncertainty { time: time_claim, interval: interval_claim, velocity: velocity_claim };
+            Impact { time, interval, velocity, uncertainty }
+        });
+        let chattering_time = self.chattering_time.as_ref().map(|bounds| {
+            let (value, uncertainty) = bounds.middle();
+            Estimate { value, uncertainty }
+        });
+        History { impacts: impacts.collect(), ending: self.ending, chattering_time }
+    }
+}

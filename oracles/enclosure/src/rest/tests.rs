@@ -1,0 +1,45 @@
+//! The bounds on the acceleration hold at every time of the window and at every height that a flight reaches.
+
+use super::flights;
+use crate::{
+    equation::Start,
+    excitation::{HalfPhase, Side},
+    interval::Interval,
+    piece::Motion,
+};
+
+#[test]
+fn no_acceleration_in_the_window_is_beyond_its_bounds() {
+    let (epsilon, omega, speed, window) = (0.05, 2.0, 0.2, 0.25);
+    let mut found = 0;
+    for alpha in [None, Some(0.3), Some(0.8)] {
+        let motion = Motion::<f64>::new(&Interval::exactly(epsilon), omega, alpha);
+        // From the start to past the greatest excitation, where its slope vanishes and only its bend tells how it goes on.
+        for n in 0..=30 {
+            let phase = motion.excitation.later(&HalfPhase::start(), &Interval::exactly(0.05 * f64::from(n)));
+            for side in [Side::Plus, Side::Minus] {
+                let pull = motion.excitation.pull(&phase, side);
+                let Some(bounds) = flights(&motion, &pull, &Interval::exactly(speed), window, 0.5) else { continue };
+                found += 1;
+                for t in 0..=10 {
+                    let at = motion.excitation.later(&phase, &Interval::exactly(window * f64::from(t) / 10.0));
+                    for x in 0..=10 {
+                        let height = 0.5 * speed * speed / bounds.acceleration.upper * f64::from(x) / 10.0;
+                        let start = Start {
+                            distance: Interval::exactly(height),
+                            velocity: Interval::zero(),
+                            pull: motion.excitation.pull(&at, side),
+                        };
+                        let towards = -2.0 * motion.equation.coefficients(&start).extend().middle();
+                        let (least, most) = (bounds.acceleration.lower, bounds.acceleration.upper);
+                        assert!(
+                            (least..=most).contains(&towards),
+                            "{alpha:?} {n} {side:?}: {towards} not in {least} to {most}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    assert!(found > 60, "{found} windows");
+}

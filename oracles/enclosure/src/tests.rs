@@ -1,0 +1,10 @@
+//! Evidence that the enclosures are rigorous: each operation against exact arithmetic, and controls that show that the tests can tell.
+
+mod bounds;
+mod exact;
+mod formats;
+mod intervals;
+mod motion;
+mod nearest;
+mod rest;
+mod series;

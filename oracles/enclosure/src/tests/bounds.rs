@@ -1,0 +1,51 @@
+//! What the outside sees of an interval.
+
+use crate::{bounds::Bounds, digits::Digits, interval::Interval, twofold::Twofold};
+
+fn between(lower: f64, upper: f64) -> Bounds {
+    Bounds::new(&Interval::<f64>::between(lower, upper)).unwrap()
+}
+
+#[test]
+fn decimals_are_rounded_outward() {
+    assert_eq!(between(0.125, 0.125).decimals(2), ["0.12", "0.13"]);
+    assert_eq!(between(-0.125, 0.125).decimals(2), ["-0.13", "0.13"]);
+    assert_eq!(between(-0.125, -0.125).decimals(2), ["-0.13", "-0.12"]);
+    assert_eq!(between(-0.001, 0.0).decimals(2), ["-0.01", "0.00"]);
+    assert_eq!(between(3.0, 4e20).decimals(0), ["3", "400000000000000000000"]);
+    assert_eq!(between(0.5, 0.5).decimals(3), ["0.500", "0.500"]);
+}
+
+#[test]
+fn a_decimal_is_compared_exactly() {
+    let tenth = between(0.1, 0.1);
+    assert_eq!(tenth.contains("0.1"), Some(false));
+    assert_eq!(tenth.contains("0.1000000000000000055511151231257827021181583404541015625"), Some(true));
+    assert_eq!(between(-2.5, 1e3).contains("-2.5"), Some(true));
+    assert_eq!(between(-2.5, 1e3).contains("-2.50000000000000000000000000001"), Some(false));
+    assert_eq!(between(-2.5, 1e3).contains("-0.5"), Some(true));
+    assert_eq!(tenth.contains("one"), None);
+}
+
+#[test]
+fn the_middle_is_within_its_claim_of_both_ends() {
+    for (lower, upper) in [(0.1, 0.1), (1.0, 1.0 + f64::EPSILON), (-3.0, 0.2), (1e-300, 1e300)] {
+        let (middle, claim) = between(lower, upper).middle();
+        assert!(
+            middle - claim <= lower
+                && upper <= middle + claim
+                && claim <= 0.51 * (upper - lower) + 1e-16 * claim + 5e-324 + f64::EPSILON
+        );
+    }
+}
+
+#[test]
+fn width_and_nesting_are_exact() {
+    let third = |n: f64| &Interval::<Digits<256>>::exactly(1.0) / &Interval::exactly(n);
+    let fine = Bounds::new(&third(3.0)).unwrap();
+    let coarse = Bounds::new(&(&Interval::<Twofold>::exactly(1.0) / &Interval::exactly(3.0))).unwrap();
+    assert!(coarse.contain(&fine) && !fine.contain(&coarse) && fine.contain(&fine));
+    assert!(fine.width() > 0.0 && fine.width() < 1e-76 && coarse.width() < 1e-29);
+    assert_eq!(between(0.25, 1.0).width(), 0.75);
+    assert!(Bounds::new(&Interval::<f64>::between(0.0, f64::INFINITY)).is_none());
+}

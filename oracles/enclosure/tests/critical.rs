@@ -1,0 +1,60 @@
+//! The critical amplitude, the endings on both sides of it, and how narrow everything is below it.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use contract::{Case, Ending, Model, Normalisation, Slenderness};
+use enclosure::{Enclosure, critical_amplitude};
+
+fn case(epsilon: f64, omega: f64, eta: f64) -> Case {
+    Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(20).unwrap()
+}
+
+/// Its width, and that of the chattering times at shares of it.
+fn check(omega: f64, eta: f64) {
+    let critical = critical_amplitude(omega, eta).unwrap();
+    assert!(critical.amplitude.width() <= 1e-12);
+    let ending = |epsilon: f64| {
+        Enclosure::new(Model::Linear).enclose(&case(epsilon, omega, eta)).map(|enclosed| enclosed.ending)
+    };
+    // Another search, with other digits, and never the wrong ending.
+    for away in [1e-12, 1e-9, 1e-5] {
+        assert_eq!(ending(critical.epsilon_complete - away), Ok(Ending::AtRest), "{omega} {eta} {away:e}");
+        assert_eq!(ending(critical.epsilon_incomplete + away), Ok(Ending::Incomplete), "{omega} {eta} {away:e}");
+    }
+    for share in [0.2, 0.6, 0.9, 0.99] {
+        let below = case(share * critical.epsilon_complete, omega, eta);
+        let time = Enclosure::new(Model::Linear).enclose(&below).unwrap().chattering_time.unwrap();
+        assert!(time.width() <= 1e-13, "{below:?}: {:e}", time.width());
+        for alpha in [0.1, 0.4] {
+            let block = below.with_slenderness(Slenderness::new(alpha, Normalisation::Threshold).unwrap());
+            let enclosed = Enclosure::new(Model::Nonlinear).enclose(&block).unwrap();
+            // The block that is not slender has a critical amplitude of its own.
+            assert!(share > 0.9 || enclosed.ending == Ending::AtRest || alpha > 0.3, "{block:?}");
+            assert!(enclosed.chattering_time.is_none_or(|time| time.width() <= 1e-11));
+        }
+    }
+}
+
+#[test]
+fn known_values() {
+    let critical = critical_amplitude(2.0, 0.92).unwrap();
+    assert_eq!(critical.amplitude.contains("1.0380155387302"), Some(false));
+    assert!(critical.amplitude.lower() < 1.03801553875 && critical.amplitude.upper() > 1.03801553865);
+    assert!((critical.exponent - 0.60018).abs() < 1e-5);
+    assert!(critical.epsilon_complete < critical.epsilon_incomplete);
+}
+
+#[test]
+fn moderate_restitution() {
+    for eta in [0.5, 0.7, 0.85] {
+        for omega in [0.5, 2.0, 8.0] {
+            check(omega, eta);
+        }
+    }
+}
+
+#[test]
+fn high_restitution() {
+    check(2.0, 0.92);
+    check(0.5, 0.97);
+    check(8.0, 0.97);
+}

@@ -1,0 +1,77 @@
+use std::io::Write as _;
+
+use anyhow::anyhow;
+use chattercheck::{critical, panel};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use super::{Verdict, case_flags::number};
+
+/// The critical amplitude: below it the chattering is complete, above it incomplete; with a proof of both
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Frequency ratio omega_g/p
+    #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = number)]
+    omega: f64,
+    /// Coefficient of restitution
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
+    eta: f64,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    a_cr: f64,
+    /// An amplitude whose chattering is proven to be complete, rounded down.
+    lower: String,
+    /// One whose chattering is proven to be incomplete, rounded up.
+    upper: String,
+    certified: bool,
+    /// `β` of `1 - τ_ch/(T/2) ~ K (a_cr - a)^β`.
+    exponent: f64,
+    eq76: f64,
+    eq77: f64,
+}
+
+/// Digits enough to tell the two amplitudes apart.
+const DIGITS: u32 = 18;
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let &Arguments { omega, eta, format } = arguments;
+    let critical = panel::critical_amplitude(omega, eta).map_err(|decline| anyhow!("{decline}"))?;
+    let [lower, upper] = critical.amplitude.decimals(DIGITS);
+    let answer = Answer {
+        a_cr: critical.amplitude.middle().0,
+        lower,
+        upper,
+        certified: true,
+        exponent: critical.exponent,
+        eq76: critical::eq76(omega, eta),
+        eq77: critical::eq77(eta),
+    };
+    let mut stdout = std::io::stdout().lock();
+    match format {
+        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(&answer)?)?,
+        Format::Text => writeln!(stdout, "{}", text(&answer))?,
+    }
+    Ok(Verdict::Well)
+}
+
+fn text(answer: &Answer) -> String {
+    let Answer { a_cr, lower, upper, exponent, eq76, eq77, .. } = answer;
+    let off = |fit: f64| format!("{fit:.5} (off by {:+.1e})", fit - a_cr);
+    format!(
+        "a_cr = {a_cr:?}\n  proven: complete at {lower}\n          incomplete at {upper}\n  1 - tau_ch/(T/2) ~ (a_cr - a)^{exponent:.6}\n  \
+         Eq. 76 gives {}, Eq. 77 gives {}",
+        off(*eq76),
+        off(*eq77)
+    )
+}

@@ -1,0 +1,88 @@
+use chattercheck::{
+    faults::{
+        catalogue::catalogue,
+        floor::{self, Row, Smallest},
+        gate::Gate,
+    },
+    panel,
+};
+use clap::{Args, ValueEnum};
+use comfy_table::{Table, presets};
+
+use super::{Verdict, output::print};
+
+/// Plant every fault of the catalogue in turn, and find the smallest size at which the gate is red
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Seed of the random cases
+    #[arg(long, value_name = "S", default_value_t = 1, env = "CHATTERCHECK_SEED", allow_negative_numbers = true)]
+    seed: u64,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Markdown,
+    Json,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let gate = Gate::new(panel::default(), arguments.seed);
+    let mistakes = catalogue(gate.oracles());
+    let rows = floor::table(&gate, &mistakes, || ())?;
+    match arguments.format {
+        Format::Json => print(&(serde_json::to_string_pretty(&rows)? + "\n"))?,
+        Format::Markdown => print(&markdown(&rows))?,
+        Format::Text => print(&text(&rows))?,
+    }
+    let escaped: Vec<&Row> = rows.iter().filter(|row| row.escapes()).collect();
+    for row in &escaped {
+        eprintln!("chattercheck: the gate stays green with \"{}\" in {}", row.fault, row.oracle);
+    }
+    Ok(if escaped.is_empty() { Verdict::Well } else { Verdict::Disagreed })
+}
+
+const HEAD: [&str; 6] = ["fault", "oracle", "size is", "natural", "smallest caught", "by"];
+
+fn cells(row: &Row) -> [String; 6] {
+    let natural = row.natural.map_or_else(String::new, |natural| match row.smallest {
+        Smallest::EveryDepth | Smallest::EscapesAt(_) => format!("1 to {natural}"),
+        _ => number(natural),
+    });
+    let smallest = match &row.smallest {
+        Smallest::Amount(size) => number(*size),
+        Smallest::Any(_) => "any size".to_owned(),
+        Smallest::EveryDepth => "every one".to_owned(),
+        Smallest::Seen => "caught".to_owned(),
+        Smallest::Escapes => "ESCAPES".to_owned(),
+        Smallest::EscapesAt(depths) => format!("ESCAPES at {depths:?}"),
+    };
+    let by = row.caught_by.clone().unwrap_or_default();
+    [row.fault.to_owned(), row.oracle.clone(), row.size.to_owned(), natural, smallest, by]
+}
+
+/// Two digits: the floor is not known better.
+fn number(size: f64) -> String {
+    if (0.01..100.0).contains(&size) { format!("{:.2}", size) } else { format!("{size:.1e}") }
+}
+
+fn markdown(rows: &[Row]) -> String {
+    let mut out = format!("| {} |\n| {} |\n", HEAD.join(" | "), HEAD.map(|_| "---").join(" | "));
+    for row in rows {
+        out += &format!("| {} |\n", cells(row).map(|cell| cell.replace('|', "\\|")).join(" | "));
+    }
+    out
+}
+
+fn text(rows: &[Row]) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    table.set_header(HEAD);
+    for row in rows {
+        table.add_row(cells(row));
+    }
+    format!("{table}\n")
+}

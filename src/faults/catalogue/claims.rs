@@ -1,0 +1,64 @@
+//! Claims that are too small, too large, or no numbers. Planted in an ODE oracle, whose claims are wide enough for that to matter.
+
+use contract::{Estimate, History, Uncertainty};
+
+use super::{Mistake, amount, whole, within};
+use crate::faults::plant::Plant::Answer;
+
+const ODE: &str = "ode/linear/tsit45";
+
+fn scale(history: &mut History, factor: f64) {
+    for impact in &mut history.impacts {
+        let Uncertainty { time, interval, velocity } = impact.uncertainty;
+        impact.uncertainty =
+            Uncertainty { time: factor * time, interval: factor * interval, velocity: factor * velocity };
+    }
+}
+
+pub(super) fn all() -> Vec<Mistake> {
+    let all = vec![
+        amount(
+            "claims too small",
+            "The error is claimed to be less than it is",
+            "what the claims are divided by",
+            1e4,
+            Answer(|_, size, history| scale(history, 1.0 / size.max(1.0))),
+        ),
+        amount(
+            "claims too wide",
+            "The error is claimed to be far more than it is",
+            "what the claims are multiplied by",
+            1e12,
+            Answer(|_, size, history| scale(history, size.max(1.0))),
+        ),
+        whole(
+            "claims of nothing",
+            "Every error is claimed to be infinite",
+            Answer(|_, _, history| scale(history, f64::INFINITY)),
+        ),
+        whole(
+            "claims that are not numbers",
+            "Every error is claimed to be NaN",
+            Answer(|_, _, history| scale(history, f64::NAN)),
+        ),
+        whole("negative claims", "The claims have the wrong sign", Answer(|_, _, history| scale(history, -1.0))),
+        whole(
+            "a velocity that claims nothing",
+            "Only the claim for the velocity is infinite, and the velocity is wrong",
+            Answer(|_, _, history| {
+                for impact in &mut history.impacts {
+                    impact.velocity *= 1.5;
+                    impact.uncertainty.velocity = f64::INFINITY;
+                }
+            }),
+        ),
+        whole(
+            "a chattering time that claims nothing",
+            "A wrong chattering time comes with an infinite claim",
+            Answer(|_, _, history| {
+                history.chattering_time = Some(Estimate { value: 42.0, uncertainty: f64::INFINITY });
+            }),
+        ),
+    ];
+    all.into_iter().map(|mistake| within(ODE, mistake)).collect()
+}

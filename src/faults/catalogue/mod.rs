@@ -1,0 +1,67 @@
+//! The mistakes, by kind.
+
+mod bookkeeping;
+mod claims;
+mod endings;
+mod events;
+mod formulas;
+mod parameters;
+mod series;
+mod slenderness;
+mod tail;
+
+use contract::Model;
+
+use super::{Mistake, Size, plant::Plant};
+use crate::panel::SERIES;
+
+/// The oracle that the specimen stands in for, and in which most mistakes are planted: it claims the least error, so that it is the others
+/// that have to be good enough to see them.
+const STEPPER: &str = "closed-form";
+
+/// The oracle for mistakes in what only the nonlinear model has.
+const NONLINEAR: &str = "taylor";
+
+/// Every mistake, for a gate with these oracles: those that have to be seen in each oracle, once for each; the rest where their oracle is
+/// among them.
+pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Mistake> {
+    let oracles: Vec<(&str, Model)> = oracles.collect();
+    let names = || oracles.iter().map(|(name, _)| *name);
+    let everywhere = names().flat_map(|name| [parameters::everywhere(name), events::everywhere(name)]).flatten();
+    let once = [
+        parameters::all(),
+        formulas::all(),
+        events::all(),
+        bookkeeping::all(),
+        tail::all(),
+        endings::all(),
+        claims::all(),
+        slenderness::all(),
+        series::all(),
+    ];
+    let mut mistakes: Vec<Mistake> = everywhere.chain(once.into_iter().flatten()).collect();
+    mistakes.retain(|mistake| names().any(|name| name == mistake.oracle));
+    mistakes
+}
+
+fn amount(name: &'static str, what: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Mistake {
+    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Amount { meaning, natural }, plant }
+}
+
+fn at_depth(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
+    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Depth(0), plant }
+}
+
+/// A mistake that is only one if another impact follows.
+fn between(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
+    Mistake { size: Size::Depth(1), ..at_depth(name, what, plant) }
+}
+
+fn whole(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
+    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Whole, plant }
+}
+
+/// The same mistake in another oracle.
+fn within(oracle: &str, mistake: Mistake) -> Mistake {
+    Mistake { oracle: oracle.to_owned(), ..mistake }
+}

@@ -1,0 +1,72 @@
+//! The infinite sum, closed wrongly by an oracle that closes it itself, with the claim that the right closure has.
+
+use contract::{Case, Ending, Estimate, History};
+
+use super::{Mistake, amount, whole};
+use crate::{faults::plant::Plant::Answer, zeno};
+
+pub(super) fn all() -> Vec<Mistake> {
+    vec![
+        amount(
+            "tail ratio eta",
+            "The tail is closed with the ratio eta^1 in place of eta^2",
+            "share missing of the exponent 2",
+            0.5,
+            Answer(|case, size, history| {
+                tail(case, history, |pair, eta| {
+                    let ratio = |exponent: f64| eta.powf(exponent) / (1.0 - eta.powf(exponent));
+                    (ratio(2.0 * (1.0 - size)) - ratio(2.0)) * pair
+                });
+            }),
+        ),
+        amount(
+            "no tail",
+            "The chattering time is that of the last impact listed",
+            "share of the tail that is lost",
+            1.0,
+            Answer(|case, size, history| {
+                tail(case, history, |pair, eta| -size * eta * eta / (1.0 - eta * eta) * pair);
+            }),
+        ),
+        amount(
+            "tail of the wrong parity",
+            "The tail is twice that of the last interval, as if both sides flew equally long",
+            "share of the difference",
+            1.0,
+            Answer(|case, size, history| {
+                let last = history.impacts.last().map_or(0.0, |last| last.interval);
+                tail(case, history, |pair, eta| size * eta * eta / (1.0 - eta * eta) * (2.0 * last - pair));
+            }),
+        ),
+        whole(
+            "Eq. 75 with the claim of the higher orders",
+            "One geometric ratio, where the claim is for all of them",
+            Answer(|case, _, history| {
+                let right = zeno::close(history, case.eta());
+                let first = zeno::eq75(history, case.eta());
+                if let (Ending::AtRest, Some(right), Some(value)) = (history.ending, right, first) {
+                    history.chattering_time = Some(Estimate { value, ..right });
+                }
+            }),
+        ),
+        amount(
+            "chattering time off",
+            "The sum itself is wrong",
+            "relative error",
+            1e-3,
+            Answer(|case, size, history| {
+                let total = history.impacts.last().map_or(0.0, |last| last.time);
+                tail(case, history, |_, _| size * total);
+            }),
+        ),
+    ]
+}
+
+/// Gives a complete history a chattering time of its own: the right one plus an error made from the last pair of intervals and `η`.
+fn tail(case: &Case, history: &mut History, error: impl Fn(f64, f64) -> f64) {
+    let eta = case.eta();
+    let pair: f64 = history.impacts.iter().rev().take(2).map(|impact| impact.interval).sum();
+    if let (Ending::AtRest, Some(right)) = (history.ending, zeno::close(history, eta)) {
+        history.chattering_time = Some(Estimate { value: right.value + error(pair, eta), ..right });
+    }
+}

@@ -1,0 +1,75 @@
+//! How a mistake gets into an oracle.
+
+use contract::{Case, Decline, History, Invalid, Model, Oracle, Sensitivity};
+
+use super::{
+    recursion::{self, Lost},
+    specimen::{self, Wrong},
+};
+
+/// One way to plant a mistake of a given size.
+#[derive(Debug, Clone, Copy)]
+pub enum Plant {
+    /// The oracle is asked another case: a wrong parameter.
+    Question(fn(&Case, f64) -> Result<Case, Invalid>),
+    /// The oracle's answer is changed: wrong bookkeeping, wrong claims, a wrong ending. Where the size is a depth, it is the number of an impact.
+    Answer(fn(&Case, f64, &mut History)),
+    /// The oracle declines some cases.
+    Refusal(fn(&Case) -> bool),
+    /// A [`specimen`] that makes the mistake takes the place of the closed form.
+    Stepper(fn(f64) -> Wrong),
+    /// A [`recursion`] that makes the mistake takes the place of the series.
+    Series(fn(f64) -> Lost),
+}
+
+impl Plant {
+    /// Whether the honest oracle is asked the very cases that the gate asks.
+    pub(super) fn keeps_the_question(self) -> bool {
+        !matches!(self, Self::Question(_))
+    }
+}
+
+/// An oracle with a mistake in it. It goes by the name of the honest one.
+pub struct Planted<'a> {
+    /// The honest oracle.
+    pub honest: &'a dyn Oracle,
+    /// How the mistake is planted.
+    pub plant: Plant,
+    /// How large it is.
+    pub size: f64,
+}
+
+impl Oracle for Planted<'_> {
+    fn name(&self) -> &str {
+        self.honest.name()
+    }
+
+    fn model(&self) -> Model {
+        self.honest.model()
+    }
+
+    fn history(&self, case: &Case) -> Result<History, Decline> {
+        match self.plant {
+            Plant::Question(ask) => {
+                // A parameter that the mistake pushes out of its range is refused, as the honest oracle would.
+                let asked = ask(case, self.size).map_err(|_| Decline::Unsupported { what: "a case out of range" })?;
+                self.honest.history(&asked)
+            }
+            Plant::Answer(change) => {
+                let mut history = self.honest.history(case)?;
+                change(case, self.size, &mut history);
+                Ok(history)
+            }
+            Plant::Refusal(refuses) => match refuses(case) {
+                true => Err(Decline::Unsupported { what: "this case" }),
+                false => self.honest.history(case),
+            },
+            Plant::Stepper(wrong) => Ok(specimen::history(case, &wrong(self.size), &self.honest.history(case)?)),
+            Plant::Series(lost) => Ok(recursion::history(case, &lost(self.size), &self.honest.history(case)?)),
+        }
+    }
+
+    fn sensitivities(&self, case: &Case) -> Option<Vec<Sensitivity>> {
+        self.honest.sensitivities(case)
+    }
+}

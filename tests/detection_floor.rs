@@ -1,0 +1,71 @@
+//! Every planted fault is seen, and the specimens that faults are planted with are honest without one.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use chattercheck::{
+    faults::{
+        Mistake, Size,
+        catalogue::catalogue,
+        floor::{self, Smallest},
+        gate::Gate,
+        plant::Plant,
+        recursion::Lost,
+        specimen::Wrong,
+    },
+    panel,
+};
+
+/// One oracle of each kind.
+fn gate() -> Gate {
+    let names = "closed-form,ode/linear/tsit45,ode/nonlinear/tsit45,taylor,asymptotic";
+    Gate::new(panel::select(names).unwrap(), 1)
+}
+
+/// What an error of `eta`, `omega` or `a` in the closed form may be at the most without being seen, relative.
+const FINEST: f64 = 2e-14;
+
+#[test]
+fn without_a_mistake_the_specimens_pass() {
+    let gate = gate();
+    let honest = |oracle: &str, plant: Plant| {
+        let oracle = oracle.to_owned();
+        Mistake { name: "none", what: "", oracle, size: Size::Whole, plant }
+    };
+    for mistake in [
+        honest("closed-form", Plant::Stepper(|_| Wrong::default())),
+        honest("asymptotic", Plant::Series(|_| Lost::default())),
+    ] {
+        let found = gate.detects(&mistake, 0.0, None).unwrap();
+        assert!(found.is_none(), "{} is not honest: {found:?}", mistake.oracle);
+    }
+}
+
+#[test]
+fn no_fault_escapes_at_its_natural_size() {
+    let gate = gate();
+    let mistakes = catalogue(gate.oracles());
+    assert!(mistakes.len() >= 80, "{} faults", mistakes.len());
+    for mistake in &mistakes {
+        let sizes = match mistake.size {
+            Size::Amount { natural, .. } => vec![natural],
+            Size::Depth(_) => [1, 2, 7, 30, 59, 60, 300, 519].map(f64::from).to_vec(),
+            Size::Whole => vec![1.0],
+        };
+        for size in sizes {
+            let found = gate.detects(mistake, size, None).unwrap();
+            assert!(found.is_some(), "\"{}\" of size {size} in {} escapes", mistake.name, mistake.oracle);
+        }
+    }
+}
+
+#[test]
+fn the_finest_errors_of_the_parameters_are_seen() {
+    let gate = gate();
+    let mut mistakes = catalogue(gate.oracles());
+    mistakes.retain(|mistake| mistake.oracle == "closed-form" && mistake.name.contains("is off"));
+    mistakes.retain(|mistake| ["eta", "omega", "a "].iter().any(|name| mistake.name.starts_with(name)));
+    let rows = floor::table(&gate, &mistakes, || ()).unwrap();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        assert!(matches!(row.smallest, Smallest::Amount(size) if size <= FINEST), "{row:?}");
+    }
+}
