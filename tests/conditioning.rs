@@ -6,6 +6,7 @@ use chattercheck::{
     conditioning::Conditioning,
     critical,
     generate::{Generator, Named},
+    judge::Judges,
     observables::{Observable, Observed},
     panel, verify, zeno,
 };
@@ -149,7 +150,9 @@ fn the_ladder_towards_the_critical_amplitude_passes() {
         .filter(|named| named.name.contains("alpha="))
         .collect();
     assert_eq!(rungs.len(), 80);
-    let (report, failures) = verify::run(&panel, &rungs, 1, None, || ());
+    let judges = panel::judges();
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let (report, failures) = verify::run(&panel, &judges, &rungs, 1, None, || ());
     assert!(report.passes() && failures.is_empty(), "{}", chattercheck::report::text(&report));
 }
 

@@ -101,7 +101,7 @@ fn caught(report: &Report, name: &str, other: &str, observable: Observable, impa
                 && disagreement.observable == observable
                 && disagreement.figure.impact == impact
         }
-        Fault::Law { .. } => false,
+        Fault::Law { .. } | Fault::Refuted { .. } => false,
     });
     assert!(found, "no {observable} at impact {impact} against {other}: {faults:#?}");
 }

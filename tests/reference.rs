@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use chattercheck::{
     observables::Observed,
     panel::{self, OdeSettings},
-    reference::{ImpactRow, TimeRow},
+    reference::{CriticalRow, ImpactRow, ProvenImpactRow, ProvenTimeRow, TimeRow},
 };
-use contract::{Case, Oracle};
+use contract::{Case, Ending, Model, Normalisation, Oracle, Slenderness};
 use serde::de::DeserializeOwned;
 
 fn table<Row: DeserializeOwned>(name: &str) -> Vec<Row> {
@@ -77,4 +77,129 @@ fn the_tables_are_what_the_command_makes() {
     assert!(
         same(&impact.time, &row.tau) && same(&impact.interval, &row.interval) && same(&impact.velocity, &row.velocity)
     );
+}
+
+fn slenderness(alpha: f64, normalisation: &str) -> Slenderness {
+    let normalisation = match normalisation {
+        "threshold" => Normalisation::Threshold,
+        "slender" => Normalisation::Slender,
+        other => panic!("{other}"),
+    };
+    Slenderness::new(alpha, normalisation).unwrap()
+}
+
+/// A case of the proven tables.
+fn proven(epsilon: f64, omega: f64, eta: f64, alpha: Option<f64>, normalisation: Option<&str>, impacts: usize) -> Case {
+    let case = case(epsilon, omega, eta, impacts);
+    alpha.zip(normalisation).map_or(case, |(alpha, name)| case.with_slenderness(slenderness(alpha, name)))
+}
+
+#[test]
+fn no_oracle_claims_less_than_its_distance_from_the_proven_impacts() {
+    let rows: Vec<ProvenImpactRow> = table("proven_impacts.csv");
+    let linear = rows.iter().filter(|row| row.alpha.is_none() && row.n == 1).count();
+    let nonlinear = rows.iter().filter(|row| row.alpha.is_some() && row.n == 1).count();
+    assert!(linear >= 100 && nonlinear >= 50, "{linear} linear and {nonlinear} nonlinear cases");
+    for row in rows {
+        let names = if row.alpha.is_some() {
+            ["taylor", "ode/nonlinear/tsit45"]
+        } else {
+            ["closed-form", "ode/linear/esdirk34"]
+        };
+        for name in names {
+            let case = proven(row.epsilon, row.omega, row.eta, row.alpha, row.normalisation.as_deref(), row.n);
+            let history = oracle(name).history(&case).unwrap();
+            let Some(impact) = history.impacts.get(row.n - 1) else {
+                assert!(name.starts_with("ode"), "{name} lacks an impact: {row:?}");
+                continue;
+            };
+            let values = [&row.tau, &row.interval, &row.velocity].map(|decimal| {
+                assert!(decimal.trim_start_matches(['-', '0', '.']).len() >= 24, "{decimal} has too few digits");
+                decimal.parse::<f64>().unwrap()
+            });
+            let found = [impact.time, impact.interval, impact.velocity];
+            let claims =
+                [impact.uncertainty.time / impact.time, impact.uncertainty.interval, impact.uncertainty.velocity];
+            for ((found, value), claim) in found.iter().zip(values).zip(claims) {
+                assert!((found / value - 1.0).abs() <= claim + f64::EPSILON, "{name}: {found} for {value} in {row:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_printed_equations_and_the_enclosure_agree_in_every_proven_digit() {
+    let printed: Vec<ImpactRow> = table("linear_impacts.csv");
+    let proven: Vec<ProvenImpactRow> = table("proven_impacts.csv");
+    let mut compared = 0;
+    for row in printed {
+        let same = |other: &&ProvenImpactRow| {
+            other.alpha.is_none()
+                && (other.epsilon, other.omega, other.eta, other.n) == (row.epsilon, row.omega, row.eta, row.n)
+        };
+        let other = proven.iter().find(same).unwrap();
+        for (long, short) in
+            [(&row.tau, &other.tau), (&row.interval, &other.interval), (&row.velocity, &other.velocity)]
+        {
+            // The last digit is rounded down, which for a negative number is away from zero.
+            let kept = &short[..short.len() - 1];
+            assert!(long.starts_with(kept), "{long} and {short} in {row:?}");
+        }
+        compared += 1;
+    }
+    assert!(compared >= 300);
+}
+
+#[test]
+fn the_endings_are_as_proven() {
+    let rows: Vec<ProvenTimeRow> = table("proven_chattering_times.csv");
+    let complete = rows.iter().filter(|row| row.tau_ch.is_some()).count();
+    assert!(complete >= 150 && complete < rows.len(), "{complete} of {} are complete", rows.len());
+    for row in rows {
+        let name = if row.alpha.is_some() { "taylor" } else { "closed-form" };
+        let case = proven(row.epsilon, row.omega, row.eta, row.alpha, row.normalisation.as_deref(), 1000);
+        let observed = Observed::new(&case, oracle(name).history(&case).unwrap());
+        let found = observed.chattering_time;
+        match row.tau_ch.as_ref().map(|decimal| decimal.parse::<f64>().unwrap()) {
+            Some(value) => {
+                let time = found.unwrap();
+                assert!((time.value - value).abs() <= time.uncertainty + f64::EPSILON * value, "{name} in {row:?}");
+            }
+            None => assert!(found.is_none(), "{name} in {row:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_critical_amplitudes_part_complete_from_incomplete() {
+    let rows: Vec<CriticalRow> = table("critical_amplitudes.csv");
+    assert_eq!(rows.len(), 30);
+    for row in rows {
+        let [complete, incomplete] = [&row.complete, &row.incomplete].map(|decimal| decimal.parse::<f64>().unwrap());
+        let ending = |a: f64| {
+            let case = Case::from_amplitude(a, row.omega, row.eta).unwrap().with_max_impacts(20_000).unwrap();
+            oracle("closed-form").history(&case).unwrap().ending
+        };
+        assert!(incomplete - complete <= 1e-12, "{row:?}");
+        // The amplitudes become doubles here, a rounding of 1e-16.
+        assert_eq!(ending(complete - 1e-15), Ending::AtRest, "{row:?}");
+        assert_eq!(ending(incomplete + 1e-15), Ending::Incomplete, "{row:?}");
+        if row.eta <= 0.8 {
+            let [again, _] = panel::critical_amplitude(row.omega, row.eta).unwrap().amplitude.decimals(18);
+            assert_eq!(again, row.complete);
+        }
+    }
+}
+
+#[test]
+fn the_proven_tables_are_what_the_command_makes() {
+    let rows: Vec<ProvenImpactRow> = table("proven_impacts.csv");
+    for row in rows.iter().step_by(97) {
+        let model = if row.alpha.is_some() { Model::Nonlinear } else { Model::Linear };
+        let case = proven(row.epsilon, row.omega, row.eta, row.alpha, row.normalisation.as_deref(), row.n);
+        let enclosed = panel::enclosure_of(model).with_digits(30).unwrap().enclose(&case).unwrap();
+        let impact = &enclosed.impacts[row.n - 1];
+        let settled = [&impact.time, &impact.interval, &impact.velocity].map(|bounds| bounds.settled(25).unwrap());
+        assert_eq!(settled, [&row.tau, &row.interval, &row.velocity].map(Clone::clone), "{row:?}");
+    }
 }

@@ -39,6 +39,9 @@ pub struct Lost {
     pub restitution: f64,
 }
 
+/// How many flights are followed at the most.
+const MOST_FLIGHTS: usize = 100_000;
+
 /// The history by a procedure that has `lost` something; its claims, and its ending, are those of the `honest` series.
 pub fn history(case: &Case, lost: &Lost, honest: &History) -> History {
     let (epsilon, omega) = (case.epsilon(), case.omega());
@@ -46,8 +49,10 @@ pub fn history(case: &Case, lost: &Lost, honest: &History) -> History {
     let step = epsilon.sqrt() / omega;
     let (mut x, mut u, mut v) = (0.0, 0.0, 0.0);
     let mut impacts = Vec::with_capacity(honest.impacts.len());
-    let (mut even, mut odd) = (0.0, 0.0);
-    for (n, theirs) in honest.impacts.iter().enumerate() {
+    let mut even = 0.0;
+    // For the chattering time the flights after the listed ones are followed as well, until they add nothing.
+    let followed = if honest.chattering_time.is_some() { MOST_FLIGHTS } else { honest.impacts.len() };
+    for n in 0..followed {
         let interval = if n % 2 == 0 {
             even = if n == 0 { 4.0 * SQRT_2 * (1.0 - lost.first) } else { even_flight(x, v, omega, lost) };
             v = eta * landing(x, even, v, omega, lost);
@@ -56,19 +61,25 @@ pub fn history(case: &Case, lost: &Lost, honest: &History) -> History {
         } else {
             // Eq. 64 with Φ_{n;0}^{(2)} = -(1 + 1)/2
             let pull = 1.0 - 0.5 * lost.pull_forcing;
-            odd = v / pull;
+            let odd = v / pull;
             v = eta * ((1.0 - lost.speed) * v - 2.0 * (1.0 - lost.pull) * pull * odd);
             u += (1.0 - lost.odd) * odd;
             odd * epsilon * step
         };
-        impacts.push(Impact { time: (x + u * epsilon) * step, interval, velocity: v * epsilon * step, ..*theirs });
+        match honest.impacts.get(n) {
+            Some(theirs) => impacts.push(Impact {
+                time: (x + u * epsilon) * step,
+                interval,
+                velocity: v * epsilon * step,
+                ..*theirs
+            }),
+            None if even < 1e-20 * x => break,
+            None => {}
+        }
     }
-    let tail = case.eta() * case.eta() / (1.0 - case.eta() * case.eta());
     let chattering_time = honest.chattering_time.map(|theirs| {
-        // The flights that follow the listed ones, each pair η² times the last; what that leaves out is claimed.
-        let rest = tail * (even + (1.0 - lost.odd) * odd * epsilon) * step;
-        let value = (x + u * epsilon) * step + rest;
-        Estimate { value, uncertainty: theirs.uncertainty + rest * (even / x.max(f64::MIN_POSITIVE)).abs() * 4.0 }
+        let value = (x + u * epsilon) * step;
+        Estimate { value, uncertainty: theirs.uncertainty + 1e-14 * value }
     });
     let ending = if impacts.is_empty() { Ending::NeverRocks } else { honest.ending };
     History { impacts, ending, chattering_time }

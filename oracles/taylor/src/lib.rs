@@ -39,9 +39,9 @@ impl Oracle for Taylor {
         inside("eta", case.eta(), case.eta() >= 1e-6, "eta >= 1e-6")?;
         let alpha = slenderness.alpha();
         let block = Block::new(epsilon, case.omega(), case.eta(), alpha);
-        let shifted = epsilon * (1.0 + 4e-14 + 8.0 * rounding);
-        let perturbed = Block::new(shifted, case.omega(), case.eta() * (1.0 - 1e-15), alpha);
-        Ok(sequence::history(&block, &perturbed, case.horizon(), case.max_impacts()))
+        let shifted = Block::new(epsilon * (1.0 + 1e-14 + 8.0 * rounding), case.omega(), case.eta(), alpha);
+        let damped = Block::new(epsilon, case.omega() * (1.0 + 1e-15), case.eta() * (1.0 - 1e-15), alpha);
+        Ok(sequence::history(&block, &[shifted, damped], case.horizon(), case.max_impacts()))
     }
 }
 

@@ -1,0 +1,156 @@
+//! The judge: what it proves is what the others find, it names the one that is wrong, and no oracle claims less than its true error.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use chattercheck::{
+    answer::ask,
+    examine::Fault,
+    generate::{Generator, Named},
+    judge::Judges,
+    ladder, panel,
+    report::{self, Report},
+    tolerance, verify,
+};
+use contract::{Case, Decline, Ending, History, Model, Oracle, Uncertainty};
+
+/// An oracle whose answers are tampered with.
+struct Faulty {
+    inner: Box<dyn Oracle>,
+    answer: fn(&mut History),
+}
+
+impl Oracle for Faulty {
+    fn name(&self) -> &str {
+        self.inner.name()
+    }
+
+    fn model(&self) -> Model {
+        self.inner.model()
+    }
+
+    fn history(&self, case: &Case) -> Result<History, Decline> {
+        let mut history = self.inner.history(case)?;
+        (self.answer)(&mut history);
+        Ok(history)
+    }
+}
+
+fn fig2() -> Named {
+    let case = Case::from_amplitude(1.03, 2.0, 0.92).unwrap();
+    Named { generator: Generator::List, name: "fig-2".to_owned(), case }
+}
+
+fn judged(panel: &[&dyn Oracle], cases: &[Named], whole: bool) -> Report {
+    let judges = panel::judges();
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let ladders = whole.then(|| ladder::descend(panel).unwrap());
+    verify::run(panel, &judges, cases, 0, ladders, || ()).0
+}
+
+/// The closed form, tampered with, beside an honest solver.
+fn with_faulty(answer: fn(&mut History)) -> Report {
+    let faulty = Faulty { inner: panel::default().swap_remove(0), answer };
+    let honest = panel::select("ode/linear/tsit45").unwrap();
+    judged(&[&faulty, honest[0].as_ref()], &[fig2()], false)
+}
+
+fn refuted(report: &Report) -> Vec<&str> {
+    let faults = report.failures.iter().flat_map(|failure| &failure.faults);
+    faults
+        .filter_map(|fault| if let Fault::Refuted { oracle, .. } = fault { Some(oracle.as_str()) } else { None })
+        .collect()
+}
+
+#[test]
+fn claims_are_calibrated() {
+    let cases = verify::cases(&verify::Request { cases: 60, seed: 5, partition: (1, 1) });
+    let cases: Vec<Named> = cases.into_iter().step_by(4).collect();
+    let panel = panel::default();
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let report = judged(&panel, &cases, true);
+    assert!(report.passes(), "{}", report::text(&report));
+    assert_eq!(report.judged.cases, cases.len());
+    assert_eq!(report.judged.claims.len(), panel.len(), "every oracle is judged");
+    for (oracle, claims) in &report.judged.claims {
+        assert_eq!(claims.len(), 4, "{oracle}: interval, velocity, time and chattering time");
+        for (observable, figure) in claims {
+            assert!(figure.smallest >= 1.0, "{oracle} claims {} times its error in the {observable}", figure.smallest);
+            assert!(figure.median <= tolerance::CALIBRATION.value, "{oracle}: {} in the {observable}", figure.median);
+            assert!(figure.numbers > 50, "{oracle}: {} numbers in the {observable}", figure.numbers);
+        }
+    }
+}
+
+#[test]
+fn the_one_that_is_wrong_is_named() {
+    let report = with_faulty(|history| history.impacts[20].interval *= 1.0 + 1e-6);
+    assert_eq!(refuted(&report), ["closed-form"]);
+    let failure = &report.failures[0];
+    assert_eq!(failure.confirmed, ["ode/linear/tsit45"]);
+    let text = report::failure_text(failure);
+    assert!(text.contains("closed-form is WRONG on interval, first at impact 21"), "{text}");
+    assert!(text.contains("the judge confirms ode/linear/tsit45"), "{text}");
+}
+
+#[test]
+fn a_claim_below_the_true_error_is_refuted_though_every_oracle_agrees() {
+    // The two agree to within the claims of the solver; only the judge sees that the closed form claims too little.
+    let report = with_faulty(|history| {
+        for impact in &mut history.impacts {
+            impact.uncertainty = Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
+        }
+    });
+    assert_eq!(refuted(&report), ["closed-form"]);
+    assert!(report.failures[0].faults.iter().all(|fault| matches!(fault, Fault::Refuted { .. })));
+}
+
+#[test]
+fn a_wrong_ending_is_refuted() {
+    assert_eq!(refuted(&with_faulty(|history| history.ending = Ending::Incomplete)), ["closed-form"]);
+}
+
+#[test]
+fn claims_that_are_far_too_wide_fall_short() {
+    let cases = verify::cases(&verify::Request { cases: 40, seed: 5, partition: (1, 10) });
+    let faulty = Faulty {
+        inner: panel::default().swap_remove(0),
+        answer: |history| {
+            for impact in &mut history.impacts {
+                let Uncertainty { time, interval, velocity } = impact.uncertainty;
+                impact.uncertainty =
+                    Uncertainty { time: 10.0 * time, interval: 10.0 * interval, velocity: 10.0 * velocity };
+            }
+        },
+    };
+    let honest = panel::select("ode/linear/tsit45").unwrap();
+    let report = judged(&[&faulty, honest[0].as_ref()], &cases, true);
+    let short =
+        |shortfall: &&String| shortfall.starts_with("closed-form claims") && shortfall.contains("in the median");
+    assert!(report.shortfalls.iter().any(|shortfall| short(&shortfall)), "{:?}", report.shortfalls);
+}
+
+#[test]
+fn only_a_sample_is_judged_unless_something_is_wrong() {
+    let cases = verify::cases(&verify::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let judges = panel::judges();
+    let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    for (every, expected) in [(1, cases.len()), (7, cases.len().div_ceil(7))] {
+        let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
+        assert_eq!(verify::run(&panel, &judges, &cases, 0, None, || ()).0.judged.cases, expected);
+    }
+}
+
+#[test]
+fn the_judge_and_the_oracle_with_the_printed_equations_agree() {
+    // Both claim little more than the rounding to doubles, and have nothing in common.
+    let printed = panel::select("printed").unwrap();
+    let judge = panel::select("enclosure/linear").unwrap();
+    let case = fig2().case;
+    let (one, two) = (ask(printed[0].as_ref(), &case), ask(judge[0].as_ref(), &case));
+    let (one, two) = (one.observed().unwrap(), two.observed().unwrap());
+    assert_eq!(one.history.impacts.len(), two.history.impacts.len());
+    for (mine, theirs) in one.history.impacts.iter().zip(&two.history.impacts) {
+        assert!((mine.interval / theirs.interval - 1.0).abs() <= 2.0 * f64::EPSILON);
+        assert!((mine.time - theirs.time).abs() <= 2.0 * f64::EPSILON);
+    }
+}
