@@ -149,7 +149,7 @@ fn the_ladder_towards_the_critical_amplitude_passes() {
         .into_iter()
         .filter(|named| named.name.contains("alpha="))
         .collect();
-    assert_eq!(rungs.len(), 80);
+    assert_eq!(rungs.len(), 40);
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let (report, failures) = verify::run(&panel, &judges, &rungs, 1, None, || ());

@@ -106,7 +106,7 @@ fn edge_cases_walk_to_both_ends_of_the_range() {
             }
         }
     }
-    for (omega, eta) in [(2.0, 0.92), (0.7, 0.85), (5.0, 0.75), (1.3, 0.95)] {
+    for (omega, eta) in [(2.0, 0.92), (0.7, 0.85)] {
         let (below, above) = critical::bracket(stepper().as_ref(), omega, eta).unwrap().expect("a critical amplitude");
         let rungs: Vec<&Named> = cases
             .iter()

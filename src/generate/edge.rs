@@ -12,7 +12,7 @@ const STEPS: [f64; 7] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-12];
 const RUNGS: [f64; 10] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
 
 /// Where ladders stand: `(ω, η, α)`.
-const LADDERS: [(f64, f64, f64); 4] = [(2.0, 0.92, 0.1), (0.7, 0.85, 0.2), (5.0, 0.75, 0.05), (1.3, 0.95, 0.02)];
+const LADDERS: [(f64, f64, f64); 2] = [(2.0, 0.92, 0.1), (0.7, 0.85, 0.2)];
 
 /// How many times more impacts the ladder needs: near `a_cr` the sequence becomes geometric late.
 const DEEPER: usize = 4;
