@@ -85,7 +85,7 @@ pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
 }
 
 /// The oracles whose names are in `list`, separated by commas. A name stands for every oracle of the default panel that it begins
-/// (`ode` for all of them), or else for the one that it is.
+/// (`ode` for all of them), or else for every other one that it is or begins (`enclosure` for both).
 ///
 /// # Errors
 /// When a name stands for none.
@@ -95,7 +95,7 @@ pub fn select(list: &str) -> Result<Panel, Invalid> {
         let family = |name: &str| name == wanted || name.starts_with(&format!("{wanted}/"));
         let mut found: Vec<_> = default().iter().map(|o| o.name().to_owned()).filter(|n| family(n)).collect();
         if found.is_empty() {
-            found = all().iter().map(|o| o.name().to_owned()).filter(|n| n == wanted).collect();
+            found = all().iter().map(|o| o.name().to_owned()).filter(|n| family(n)).collect();
         }
         if found.is_empty() || found.iter().any(|name| names.contains(name)) {
             return Err(Invalid::new(

@@ -220,3 +220,54 @@ fn help_names_every_flag() {
         assert!(stdout("verify --help").contains(flag), "{flag}");
     }
 }
+
+#[test]
+fn proven_bounds_have_as_many_digits_as_asked_for() {
+    let exact = "1.12594767693381208565217523638156801028440831025242995";
+    for digits in [1, 17, 30, 50] {
+        let command = format!("chattering-time --a 1.03 --omega 2 --eta 0.92 --oracle enclosure --digits {digits}");
+        let answer = json(&format!("{command} --format json"));
+        let [lower, upper] = ["lower", "upper"].map(|end| answer[end].as_str().unwrap().to_owned());
+        // Decimals of one length with one digit before the point are in the order of their letters.
+        assert!(lower.as_str() <= &exact[..lower.len()], "{lower}");
+        assert!(upper.as_str() > &exact[..upper.len()], "{upper}");
+        assert_eq!(lower.trim_start_matches("1.").len(), digits.max(2) - 1, "{lower}");
+        assert_eq!(answer["complete"], true);
+        assert!(stdout(&command).contains(&lower));
+    }
+    let nonlinear = json("chattering-time --a 1.03 --omega 2 --eta 0.92 --alpha 0.2 --oracle enclosure --format json");
+    assert_eq!(nonlinear["oracle"], "enclosure/nonlinear");
+    assert!(nonlinear["lower"].as_str().unwrap().starts_with("1.12608759832481"));
+    let incomplete = json("chattering-time --a 1.1 --omega 2 --eta 0.92 --oracle enclosure --format json");
+    assert_eq!((&incomplete["complete"], &incomplete["tau_ch"]), (&Value::Bool(false), &Value::Null));
+    let resting = json("chattering-time --a 0.9 --omega 2 --eta 0.92 --oracle enclosure --format json");
+    assert_eq!((&resting["rocks"], &resting["tau_ch"]), (&Value::Bool(false), &Value::Null));
+}
+
+#[test]
+fn the_critical_amplitude_is_certified() {
+    let answer = json("critical-amplitude --omega 2 --eta 0.92 --format json");
+    assert_eq!(answer["certified"], true);
+    let [lower, upper] = ["lower", "upper"].map(|end| answer[end].as_str().unwrap().parse::<f64>().unwrap());
+    assert!(lower < 1.038_015_538_730_4 && upper > 1.038_015_538_730_3 && upper - lower <= 1e-12, "{lower} {upper}");
+    let a_cr = answer["a_cr"].as_f64().unwrap();
+    assert!(lower <= a_cr && a_cr <= upper);
+    assert!((answer["exponent"].as_f64().unwrap() - 0.60018).abs() < 1e-5);
+    assert!((answer["eq76"].as_f64().unwrap() - 1.03732).abs() < 1e-5);
+    assert!((answer["eq77"].as_f64().unwrap() - 1.03790).abs() < 1e-5);
+    assert!(stdout("critical-amplitude --omega 8 --eta 0.5").contains("proven: complete at 1.1472100813812"));
+}
+
+#[test]
+fn what_the_judge_is_asked_wrongly_is_refused() {
+    refused("critical-amplitude --omega 0 --eta 0.92", &["omega", "0", "100"]);
+    refused("critical-amplitude --omega 2 --eta 1", &["eta", "1", "0.995"]);
+    refused("critical-amplitude --omega x --eta 0.9", &["omega", "x", "not a number"]);
+    let case = "chattering-time --a 1.03 --omega 2 --eta 0.92";
+    refused(&format!("{case} --oracle enclosure --digits 0"), &["digits", "0", "1 <= digits <= 100"]);
+    refused(&format!("{case} --oracle enclosure --digits 101"), &["digits", "101", "1 <= digits <= 100"]);
+    refused(&format!("{case} --digits 20"), &["digits", "20", "only with --oracle enclosure"]);
+    refused(&format!("{case} --oracle enclosure --model nonlinear"), &["slenderness"]);
+    refused("verify --judge 0", &["judge", "0", "N >= 1"]);
+    refused("verify --judge some", &["judge", "some", "all"]);
+}

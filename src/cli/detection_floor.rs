@@ -32,7 +32,9 @@ enum Format {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let gate = Gate::new(panel::default(), arguments.seed);
     let mistakes = catalogue(gate.oracles());
-    let rows = floor::table(&gate, &mistakes, || ())?;
+    let bar = indicatif::ProgressBar::new(mistakes.len() as u64);
+    let rows = floor::table(&gate, &mistakes, || bar.inc(1))?;
+    bar.finish_and_clear();
     match arguments.format {
         Format::Json => print(&(serde_json::to_string_pretty(&rows)? + "\n"))?,
         Format::Markdown => print(&markdown(&rows))?,

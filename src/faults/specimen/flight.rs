@@ -59,12 +59,13 @@ impl Flight<'_> {
             if let Some(s) = piece.comes_down(reach, &mut above) {
                 let late = wrong.late + wrong.slack * (flown.value() + s);
                 let landed_at = s + late;
-                let exact = flown.high == 0.0 && late == 0.0 && start == (0.0, self.speed);
+                let exact = flown.high == 0.0 && start == (0.0, self.speed);
                 let (_, rate) = piece.at(landed_at);
+                let (_, rate_in_time) = piece.at(s);
                 return Outcome::Landing(Landing {
                     interval: flown.plus(landed_at).value(),
                     speed: -rate,
-                    gain: exact.then(|| piece.gain(s)),
+                    gain: exact.then(|| piece.gain(s) + (rate - rate_in_time)),
                 });
             }
             let (rotation, velocity) = piece.at(reach);
