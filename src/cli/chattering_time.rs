@@ -1,14 +1,13 @@
-use std::io::Write as _;
-
 use anyhow::anyhow;
 use chattercheck::{observables::Observed, panel::Enclosure};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle as _};
 use serde::Serialize;
 
 use super::{
     Verdict,
     case_flags::{CaseFlags, OracleFlags},
+    output::Format,
 };
 
 /// The chattering time of one case: when the infinite sequence of impacts comes to rest
@@ -27,12 +26,6 @@ pub(super) struct Arguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Json,
 }
 
 #[derive(Serialize)]
@@ -78,17 +71,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
             Err(_) => break,
         }
     }
-    print(arguments.format, &answer(oracle.name(), &case, &observed))?;
+    arguments.format.print(&answer(oracle.name(), &case, &observed), text)?;
     Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
-}
-
-fn print(format: Format, answer: &Answer) -> anyhow::Result<()> {
-    let mut stdout = std::io::stdout().lock();
-    match format {
-        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(answer)?)?,
-        Format::Text => writeln!(stdout, "{}", text(answer))?,
-    }
-    Ok(())
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.
@@ -102,7 +86,7 @@ fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow
         (answer.lower, answer.upper) = (Some(lower), Some(upper));
         answer.method = Some("proven bounds");
     }
-    print(arguments.format, &answer)?;
+    arguments.format.print(&answer, text)?;
     Ok(Verdict::Well)
 }
 

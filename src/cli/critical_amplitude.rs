@@ -1,11 +1,9 @@
-use std::io::Write as _;
-
 use anyhow::anyhow;
 use chattercheck::{critical, panel};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 
-use super::{Verdict, case_flags::number};
+use super::{Verdict, case_flags::number, output::Format};
 
 /// The critical amplitude: below it the chattering is complete, above it incomplete; with a proof of both
 #[derive(Args)]
@@ -19,12 +17,6 @@ pub(super) struct Arguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Json,
 }
 
 #[derive(Serialize)]
@@ -57,11 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         eq76: critical::eq76(omega, eta),
         eq77: critical::eq77(eta),
     };
-    let mut stdout = std::io::stdout().lock();
-    match format {
-        Format::Json => writeln!(stdout, "{}", serde_json::to_string_pretty(&answer)?)?,
-        Format::Text => writeln!(stdout, "{}", text(&answer))?,
-    }
+    format.print(&answer, text)?;
     Ok(Verdict::Well)
 }
 

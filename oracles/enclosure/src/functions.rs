@@ -7,6 +7,11 @@ use crate::{directed::Directed, interval::Interval};
 /// The series are those at a small fraction of the argument, which doubling brings back to it. By Taylor's theorem what is left out
 /// after the term of degree `n` is at most `|x|^(n+1)/(n+1)!` for both, because no derivative exceeds 1.
 pub fn sin_cos<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
+    sin_cos_to(x, F::BITS as i32 + 4)
+}
+
+/// The same from a series that leaves out what is below `2^-bits`.
+pub(crate) fn sin_cos_to<F: Directed>(x: &Interval<F>, bits: i32) -> (Interval<F>, Interval<F>) {
     let mut halvings = 0;
     let mut small = x.clone();
     let half = Interval::exactly(0.5);
@@ -25,7 +30,7 @@ pub fn sin_cos<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
         cosine_term = -&(&(&cosine_term * &square) / &Interval::whole((n - 1) * n));
         sine_term = -&(&(&sine_term * &square) / &Interval::whole(n * (n + 1)));
         let left_out = cosine_term.magnitude();
-        if n > 4 && left_out < (2.0_f64).powi(-(F::BITS as i32) - 4) || n > 1000 {
+        if n > 4 && left_out < (2.0_f64).powi(-bits) || n > 1000 {
             // The terms of this degree are bounds on all from here on.
             let bound = Interval::within(left_out);
             sine = &sine + &bound;
@@ -48,19 +53,24 @@ pub fn sin_cos<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
 
 /// `π = 16 atan(1/5) - 4 atan(1/239)` (Machin).
 pub fn pi<F: Directed>() -> Interval<F> {
-    let (far, near) = (arctangent_of_inverse(5), arctangent_of_inverse(239));
+    pi_to(F::BITS as i32 + 8)
+}
+
+/// The same from series that leave out what is below `2^-bits`.
+pub(crate) fn pi_to<F: Directed>(bits: i32) -> Interval<F> {
+    let (far, near) = (arctangent_of_inverse(5, bits), arctangent_of_inverse(239, bits));
     &(&Interval::exactly(16.0) * &far) - &(&Interval::exactly(4.0) * &near)
 }
 
 /// `atan(1/n)`: an alternating series of falling terms, so that the first one left out bounds the rest.
-fn arctangent_of_inverse<F: Directed>(n: usize) -> Interval<F> {
+fn arctangent_of_inverse<F: Directed>(n: usize, bits: i32) -> Interval<F> {
     let square = Interval::whole(n * n);
     let mut power = &Interval::exactly(1.0) / &Interval::whole(n);
     let mut sum = Interval::zero();
     let mut odd = 1;
     loop {
         let term = &power / &Interval::whole(odd);
-        if term.magnitude() < (2.0_f64).powi(-(F::BITS as i32) - 8) {
+        if term.magnitude() < (2.0_f64).powi(-bits) {
             return &sum + &Interval::within(term.magnitude());
         }
         sum = if odd % 4 == 1 { &sum + &term } else { &sum - &term };

@@ -6,7 +6,7 @@ use crate::{
     bounds::Bounds,
     digits::Digits,
     directed::Directed,
-    functions::{pi, sin_cos},
+    functions::{pi, pi_to, sin_cos, sin_cos_to},
     interval::Interval,
     twofold::Twofold,
 };
@@ -69,6 +69,24 @@ fn known_values_are_inside() {
     check::<f64>();
     check::<Twofold>();
     check::<Digits<128>>();
+}
+
+/// With digits to spare only the bound on what a short series leaves out keeps the value inside.
+#[test]
+fn what_a_series_leaves_out_is_bounded() {
+    for bits in [4, 10, 20, 40] {
+        for (x, sine, cosine) in VALUES {
+            let (s, c) = sin_cos_to(&Interval::<Digits<256>>::exactly(x), bits);
+            assert_eq!(
+                (bounds(&s).contains(sine), bounds(&c).contains(cosine)),
+                (Some(true), Some(true)),
+                "{x}, {bits}"
+            );
+        }
+        let pi = pi_to::<Digits<256>>(bits);
+        assert_eq!(bounds(&pi).contains(PI), Some(true), "{bits}");
+        assert!(pi.width() < 64.0 * (2.0_f64).powi(-bits) && pi.width() > 0.0);
+    }
 }
 
 #[test]
