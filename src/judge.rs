@@ -66,6 +66,11 @@ const CLASSES: f64 = 16.0;
 const LARGEST: f64 = 1e30;
 
 impl Judges<'_> {
+    /// How many of so many cases are in the sample.
+    pub fn sample(&self, cases: usize) -> usize {
+        if self.oracles.is_empty() { 0 } else { cases.div_ceil(self.every.max(1)) }
+    }
+
     /// Asks every oracle of the panel, compares, and judges if the case at `place` of the run is one of the sample or something is wrong with it.
     pub fn examine(&self, panel: &[&dyn Oracle], place: usize, case: &Case) -> Examination {
         let mut examination = examine(panel, case);

@@ -107,9 +107,9 @@ pub const VACUOUS: Tolerance = Tolerance {
 pub const USED: Tolerance = Tolerance {
     applies_to: "a pair over a whole run of 100 cases or more",
     value: 0.01,
-    meaning: "smallest share of the allowance that the worst interval has to use",
-    reason: "Claims and gaps that nothing ever comes near to are too wide to find anything; the worst interval of every pair uses 3 % \
-             or more.",
+    meaning: "smallest share of the allowance that the worst figure of every observable has to use",
+    reason: "Claims and gaps that nothing ever comes near to are too wide to find anything; the worst figures of every pair use \
+             2 % or more.",
 };
 
 /// How much larger than its true error an oracle may claim that it is.
@@ -120,8 +120,16 @@ pub const CALIBRATION: Tolerance = Tolerance {
     reason: "A claim that is too small is a failure of its case; one that is far too large hides what it should find.",
 };
 
+/// How many of the cases that it is asked the judge has to judge.
+pub const JUDGED: Tolerance = Tolerance {
+    applies_to: "the judge over a run",
+    value: 0.95,
+    meaning: "smallest share of the cases in the sample of which every history is judged",
+    reason: "It may be undecided next to a_cr or a grazing impact; a judge that says nothing proves nothing.",
+};
+
 /// Every entry.
-pub const TABLE: [&Tolerance; 12] = [
+pub const TABLE: [&Tolerance; 13] = [
     &SAME_MODEL,
     &BACKWARD,
     &ACROSS_MODELS,
@@ -134,4 +142,5 @@ pub const TABLE: [&Tolerance; 12] = [
     &VACUOUS,
     &USED,
     &CALIBRATION,
+    &JUDGED,
 ];

@@ -74,7 +74,7 @@ pub fn run(
             (Tally::of(named, &examination), Failure { named: named.clone(), faults, confirmed })
         })
         .collect();
-    let mut tally = Tally::default();
+    let mut tally = Tally::expecting(judges.sample(cases.len()));
     let mut failures = Vec::new();
     for (of_case, failure) in results {
         tally.add(of_case);

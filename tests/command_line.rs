@@ -261,7 +261,7 @@ fn the_critical_amplitude_is_certified() {
 #[test]
 fn what_the_judge_is_asked_wrongly_is_refused() {
     refused("critical-amplitude --omega 0 --eta 0.92", &["omega", "0", "100"]);
-    refused("critical-amplitude --omega 2 --eta 1", &["eta", "1", "0.995"]);
+    refused("critical-amplitude --omega 2 --eta 1", &["eta", "1", "0.98"]);
     refused("critical-amplitude --omega x --eta 0.9", &["omega", "x", "not a number"]);
     let case = "chattering-time --a 1.03 --omega 2 --eta 0.92";
     refused(&format!("{case} --oracle enclosure --digits 0"), &["digits", "0", "1 <= digits <= 100"]);

@@ -3,6 +3,7 @@
 
 use chattercheck::{
     answer::ask,
+    compare::{Slack, Verdict, compare},
     conditioning::Conditioning,
     critical,
     generate::{Generator, Named},
@@ -237,4 +238,47 @@ proptest! {
             prop_assert!((of.velocity[0] * epsilon / impact.velocity - 1.5).abs() < 1e3 * epsilon);
         }
     }
+}
+
+/// What is allowed on top of the claims is `2^-53` times the condition, which is what differences of the history itself give.
+#[test]
+fn the_allowance_is_what_rounding_the_parameters_does() {
+    let parameters = [0.03, 2.0, 0.92];
+    let case = case_of(parameters, 60);
+    let (observed, sensitivities) = differentiated(&case);
+    let conditioning = Conditioning::new(&case, &observed, &sensitivities);
+    let time = |parameters: [f64; 3]| {
+        let case = case_of(parameters, 60);
+        let observed = Observed::new(&case, stepper().history(&case).unwrap());
+        (observed.history.impacts[39].time, observed.chattering_time.unwrap().value)
+    };
+    let (mut of_impact, mut of_end) = (0.0, 0.0);
+    for place in 0..3 {
+        let moved =
+            |by: f64| std::array::from_fn(|index| parameters[index] * if index == place { 1.0 + by } else { 1.0 });
+        let (above, below) = (time(moved(1e-6)), time(moved(-1e-6)));
+        of_impact += (above.0 - below.0).abs() / 2e-6;
+        of_end += (above.1 - below.1).abs() / 2e-6;
+    }
+    let off = |found: f64, expected: f64| (found / expected - 1.0).abs();
+    assert!(off(conditioning.at(Observable::ImpactTime, 40), of_impact) < 1e-6);
+    assert!(off(conditioning.at(Observable::ChatteringTime, 0), of_end) < 1e-6);
+    // Two histories without claims that differ by a little less, and by a little more, than that.
+    let unit = 0.5 * f64::EPSILON;
+    let bare = |shift: f64| {
+        let mut history = observed.history.clone();
+        for impact in &mut history.impacts {
+            impact.uncertainty = contract::Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
+        }
+        let allowed = unit * conditioning.at(Observable::Velocity, 40);
+        history.impacts[39].velocity *= 1.0 + shift * allowed;
+        Observed { history, chattering_time: None }
+    };
+    // Where the condition is large enough for doubles to tell.
+    assert!(conditioning.at(Observable::Velocity, 40) > 20.0);
+    let agrees = |shift: f64| {
+        let slack = Slack { conditioning: &conditioning, gap: None };
+        compare(&case, &bare(0.0), &bare(shift), slack).verdict == Verdict::Agree
+    };
+    assert!(agrees(0.8) && !agrees(1.2));
 }

@@ -110,7 +110,7 @@ fn a_wrong_ending_is_refuted() {
 
 #[test]
 fn claims_that_are_far_too_wide_fall_short() {
-    let cases = verify::cases(&verify::Request { cases: 40, seed: 5, partition: (1, 10) });
+    let cases = verify::cases(&verify::Request { cases: 40, seed: 5, partition: (1, 4) });
     let faulty = Faulty {
         inner: panel::default().swap_remove(0),
         answer: |history| {
@@ -153,4 +153,33 @@ fn the_judge_and_the_oracle_with_the_printed_equations_agree() {
         assert!((mine.interval / theirs.interval - 1.0).abs() <= 2.0 * f64::EPSILON);
         assert!((mine.time - theirs.time).abs() <= 2.0 * f64::EPSILON);
     }
+}
+
+/// A judge that does not answer.
+struct Silent;
+
+impl Oracle for Silent {
+    fn name(&self) -> &str {
+        "silent"
+    }
+
+    fn model(&self) -> Model {
+        Model::Linear
+    }
+
+    fn history(&self, _: &Case) -> Result<History, Decline> {
+        Err(Decline::NotConvergent { why: "undecided".to_owned() })
+    }
+}
+
+#[test]
+fn a_judge_that_says_nothing_falls_short() {
+    let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let cases = verify::cases(&verify::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let judges = Judges { oracles: vec![&Silent], every: 2 };
+    let report = verify::run(&panel, &judges, &cases, 0, Some(Vec::new()), || ()).0;
+    assert_eq!((report.judged.asked, report.judged.cases), (cases.len().div_ceil(2), 0));
+    let silent = |shortfall: &String| shortfall.starts_with("the judge was asked");
+    assert!(report.shortfalls.iter().any(silent), "{:?}", report.shortfalls);
 }

@@ -20,9 +20,9 @@ pub(super) struct Arguments {
     /// Close the sum after this many impacts [default: as many as the restitution and the closeness to a_cr need]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     impacts: Option<usize>,
-    /// For enclosure: how many digits are proven [default: as many as a double holds]
+    /// For enclosure: how many digits are to be proven, 1 to 100 [default: as many as a double holds]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    digits: Option<u32>,
+    digits: Option<i64>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -53,7 +53,9 @@ struct Answer<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
     let mut case = arguments.case.case(impacts)?;
-    if let Some(enclosure) = arguments.oracle.enclosure(&case, arguments.digits) {
+    // What is no number of digits at all is as much out of range as zero.
+    let digits = arguments.digits.map(|digits| u32::try_from(digits).unwrap_or(0));
+    if let Some(enclosure) = arguments.oracle.enclosure(&case, digits) {
         return enclosed(arguments, &enclosure?, &case);
     }
     if let Some(digits) = arguments.digits {
@@ -85,6 +87,10 @@ fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow
         let [lower, upper] = time.decimals(time.places(enclosure.digits()));
         (answer.lower, answer.upper) = (Some(lower), Some(upper));
         answer.method = Some("proven bounds");
+        let wanted = 10.0_f64.powi(1 - i32::try_from(enclosure.digits()).unwrap_or(i32::MAX)) * time.upper();
+        if time.width() > wanted {
+            eprintln!("{}: proven, but wider than asked: it would have taken too long", enclosure.name());
+        }
     }
     arguments.format.print(&answer, text)?;
     Ok(Verdict::Well)

@@ -5,13 +5,15 @@ use serde::Serialize;
 
 use super::{Verdict, case_flags::number, output::Format};
 
-/// The critical amplitude: below it the chattering is complete, above it incomplete; with a proof of both
+/// The critical amplitude of the linear model: below it the chattering is complete, above it incomplete; with a proof of both
+///
+/// Seconds for eta up to 0.97; the nearer eta is to 1, the longer it takes.
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// Frequency ratio omega_g/p
+    /// Frequency ratio omega_g/p, 0.1 to 100
     #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = number)]
     omega: f64,
-    /// Coefficient of restitution
+    /// Coefficient of restitution, 0.1 to 0.98
     #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
     eta: f64,
     /// Output format
@@ -57,7 +59,7 @@ fn text(answer: &Answer) -> String {
     let Answer { a_cr, lower, upper, exponent, eq76, eq77, .. } = answer;
     let off = |fit: f64| format!("{fit:.5} (off by {:+.1e})", fit - a_cr);
     format!(
-        "a_cr = {a_cr:?}\n  proven: complete at {lower}\n          incomplete at {upper}\n  1 - tau_ch/(T/2) ~ (a_cr - a)^{exponent:.6}\n  \
+        "a_cr = {a_cr:.12}\n  proven: complete at {lower}\n          incomplete at {upper}\n  1 - tau_ch/(T/2) ~ (a_cr - a)^{exponent:.6}\n  \
          Eq. 76 gives {}, Eq. 77 gives {}",
         off(*eq76),
         off(*eq77)

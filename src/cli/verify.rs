@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     files: ReportFiles,
     /// Judge every N-th case by proven enclosures, or `all`; those with something wrong are judged anyway
-    #[arg(long, value_name = "all|N", default_value = "10")]
+    #[arg(long, value_name = "all|N", default_value = "10", allow_hyphen_values = true)]
     judge: String,
     /// Run only the K-th of N shares of the cases
     #[arg(long, value_name = "K/N", default_value = "1/1")]
@@ -72,11 +72,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let (report, failures) = verify::run(&panel, &judges, &cases, arguments.seed, ladders, || bar.inc(1));
     bar.finish_and_clear();
     arguments.files.write(&report, &cases)?;
+    // First what was found: shrinking may take a while.
+    print(&report::text(&report))?;
     // A disagreement stays one where its replay files can't be written.
     if let Err(error) = write_replays(&panel, &judges, &report, &failures, &arguments.replays) {
         eprintln!("chattercheck: no replay files: {error:#}");
     }
-    print(&report::text(&report))?;
     Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
 }
 

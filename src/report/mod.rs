@@ -55,7 +55,9 @@ pub struct Report {
 /// What the judge found.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Judged {
-    /// How many cases it was asked.
+    /// How many cases it was to be asked.
+    pub asked: usize,
+    /// Of how many it judged every history; also of those in which something was wrong.
     pub cases: usize,
     /// For each oracle and observable, its claims in multiples of its true errors.
     pub claims: BTreeMap<String, BTreeMap<Observable, ClaimOverError>>,
@@ -145,6 +147,7 @@ pub struct Tally {
     pairs: BTreeMap<(usize, usize), Pair>,
     ratio_law: BTreeMap<String, WorstFigure>,
     judged: usize,
+    to_judge: usize,
     claims: BTreeMap<String, Calibration>,
 }
 
@@ -155,6 +158,11 @@ impl WorstFigure {
 }
 
 impl Tally {
+    /// An empty tally of a run in which so many cases are to be judged.
+    pub fn expecting(to_judge: usize) -> Self {
+        Self { to_judge, ..Self::default() }
+    }
+
     /// The tally of one case.
     pub fn of(named: &Named, examination: &Examination) -> Self {
         let mut tally = Self::default();
@@ -179,7 +187,9 @@ impl Tally {
                 tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
             }
         }
-        tally.judged = usize::from(!examination.judgements.is_empty());
+        // A case is judged when every history that an oracle gave is.
+        let histories = examination.answers.iter().filter(|answer| answer.observed().is_some()).count();
+        tally.judged = usize::from(histories > 0 && examination.judgements.len() == histories);
         for judgement in &examination.judgements {
             if let Some(answer) = examination.answers.get(judgement.place) {
                 tally.claims.insert(answer.oracle.clone(), judgement.calibration.clone());
@@ -227,6 +237,7 @@ impl Tally {
             keep_worst(&mut self.ratio_law, oracle, worst);
         }
         self.judged += other.judged;
+        self.to_judge += other.to_judge;
         for (oracle, calibration) in other.claims {
             self.claims.entry(oracle).or_default().add_all(calibration);
         }
@@ -269,9 +280,10 @@ impl Pair {
         }
     }
 
-    /// The largest share of its allowance that an interval used.
-    fn used(&self) -> f64 {
-        self.worst.get(&Observable::Interval).map_or(0.0, |worst| worst.share)
+    /// The observable that used least of its allowance where it came nearest to it, and that share.
+    fn used(&self) -> (Observable, f64) {
+        let shares = self.worst.iter().map(|(&observable, worst)| (observable, worst.share));
+        shares.min_by(|(_, one), (_, two)| one.total_cmp(two)).unwrap_or((Observable::Interval, 0.0))
     }
 
     /// What the comparisons of the pair fail to prove, if anything.
@@ -292,8 +304,9 @@ impl Pair {
             Some(format!(
                 "{one} and {two} claim so little that {vacuous} of {times} chattering times were compared in name only"
             ))
-        } else if self.compared >= 100 && self.disagreements == 0 && self.used() < tolerance::USED.value {
-            Some(format!("{one} and {two} allow so much that the worst interval uses {:.1e} of it", self.used()))
+        } else if self.compared >= 100 && self.disagreements == 0 && self.used().1 < tolerance::USED.value {
+            let (observable, share) = self.used();
+            Some(format!("{one} and {two} allow so much that the worst {observable} uses {share:.1e} of it"))
         } else if 2 * self.too_close > self.compared {
             Some(format!("{one} and {two} end differently in {} of {} cases", self.too_close, self.compared))
         } else {
@@ -305,20 +318,24 @@ impl Pair {
 impl Judged {
     /// What is wrong with the claims as a whole. A claim that is too small is a fault of its case.
     fn shortfalls(&self) -> impl Iterator<Item = String> {
-        let wide = |(oracle, claims): (&String, &BTreeMap<Observable, ClaimOverError>)| {
-            let (observable, figure) = claims.iter().max_by(|(_, one), (_, two)| one.median.total_cmp(&two.median))?;
+        let (asked, cases) = (self.asked, self.cases);
+        let silent = (cases as f64) < tolerance::JUDGED.value * asked as f64;
+        let silent = silent.then(|| format!("the judge was asked {asked} cases and judged {cases}"));
+        let wide = move |(oracle, claims): (&String, &BTreeMap<Observable, ClaimOverError>)| {
+            let enough = claims.iter().filter(|(_, figure)| figure.numbers >= ENOUGH_TO_CALIBRATE);
+            let (observable, figure) = enough.max_by(|(_, one), (_, two)| one.median.total_cmp(&two.median))?;
             let most = tolerance::CALIBRATION.value;
-            (self.cases >= ENOUGH_TO_CALIBRATE && figure.median > most).then(|| {
+            (cases >= ENOUGH_TO_CALIBRATE && figure.median > most).then(|| {
                 let median = figure.median;
                 format!("{oracle} claims {median:.0} times its true error in the median ({observable}), {most} at most")
             })
         };
-        self.claims.iter().filter_map(wide)
+        silent.into_iter().chain(self.claims.iter().filter_map(wide))
     }
 }
 
-/// A median of fewer cases says little.
-const ENOUGH_TO_CALIBRATE: usize = 20;
+/// A median of fewer cases, or of fewer numbers, says little: the numbers of one case go together.
+const ENOUGH_TO_CALIBRATE: usize = 100;
 
 impl Report {
     /// The report of a run. A whole run has to prove something by itself; that of a few chosen cases only has to have compared anything.
@@ -334,7 +351,7 @@ impl Report {
         let pairs: Vec<Pair> =
             tally.pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
         let claims = tally.claims.iter().map(|(oracle, claims)| (oracle.clone(), claims.figures())).collect();
-        let judged = Judged { cases: tally.judged, claims };
+        let judged = Judged { asked: tally.to_judge, cases: tally.judged, claims };
         let shortfalls = if whole {
             let silent = oracles
                 .iter()

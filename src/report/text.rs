@@ -56,9 +56,9 @@ pub fn text(report: &Report) -> String {
     line(
         &mut out,
         &format!(
-            "What each oracle claims in multiples of its true error, by the judge, on {} cases: the median, and the smallest (below 1 the\n\
-             claim is too small).",
-            report.judged.cases
+            "What each oracle claims in multiples of its true error, by the judge, on {} cases ({} asked): the median, and the\n\
+             smallest (below 1 the claim is too small).",
+            report.judged.cases, report.judged.asked
         ),
     );
     line(&mut out, &claims(report));

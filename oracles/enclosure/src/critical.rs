@@ -52,18 +52,18 @@ enum Verdict {
 /// A [`Decline`] when a quantity is out of range or no bracket was found.
 pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
     let range = |field, value: f64, allowed| Decline::OutOfRange { field, value, allowed };
-    if !(0.01..=100.0).contains(&omega) {
-        return Err(range("omega", omega, "0.01 <= omega <= 100"));
+    if !(0.1..=100.0).contains(&omega) {
+        return Err(range("omega", omega, "0.1 <= omega <= 100"));
     }
-    if !(0.05..=0.995).contains(&eta) {
-        return Err(range("eta", eta, "0.05 <= eta <= 0.995"));
+    if !(0.1..=0.98).contains(&eta) {
+        return Err(range("eta", eta, "0.1 <= eta <= 0.98"));
     }
     let exponent = exponent(eta);
     let mut search = Search { complete: 0.0, incomplete: f64::INFINITY, points: Vec::new(), predicted: None, exponent };
     // Eq. 77 is a start; no frequency in range has its critical amplitude beyond 10.
     let mut next = -0.3941 * eta.powi(3) + 0.5763 * eta * eta - 0.45 * eta + 0.271;
     for tried in 1..=MOST_TRIED {
-        let verdict = judge(next, omega, eta).map_err(|_| range("omega", omega, "0.01 <= omega <= 100"))?;
+        let verdict = judge(next, omega, eta).map_err(|_| range("omega", omega, "0.1 <= omega <= 100"))?;
         match verdict {
             None => {
                 return Err(Decline::NotConvergent {

@@ -125,3 +125,35 @@ fn no_motion_leaves_its_reach() {
         assert!(reach.velocity.upper >= h.sinh() + 0.5 * h.cosh() + drive * h.sinh());
     }
 }
+
+#[test]
+fn every_piece_is_made_with_a_remainder_that_bounds_the_next_coefficient() {
+    for (epsilon, omega, alpha, time, speed) in FLIGHTS {
+        let motion = Motion::<Coarse>::new(&Interval::exactly(epsilon), omega, alpha);
+        let start = start(&motion, time, speed);
+        let deflation = if speed > 0.0 { 1 } else { 3 };
+        let piece = motion.piece(&start, deflation, 0.4).unwrap();
+        let degree = piece.coefficients.len() + deflation;
+        let mut coefficients = motion.equation.coefficients(&start);
+        while coefficients.motion.len() <= degree {
+            coefficients.extend();
+        }
+        assert!(piece.remainder >= coefficients.motion[degree].magnitude() && piece.remainder > 0.0);
+    }
+}
+
+#[test]
+fn of_several_roots_the_first_is_found() {
+    // x = s (s - p)(s - q)(c - s)/(p q c): down through p, up through q, down again at c.
+    for (p, q) in [(0.05, 0.06), (0.02, 0.5), (0.1, 0.9), (0.3, 0.31), (0.7, 0.75)] {
+        let c = 1.5;
+        let exactly = Interval::<Coarse>::exactly;
+        let coefficients = [p * q * c, -(p * q + c * (p + q)), c + p + q, -1.0].map(exactly).to_vec();
+        let piece = Piece { coefficients, remainder: 1e-30, deflation: 1, length: 2.0 };
+        let FirstRoot::In(left, right) = piece.first_root() else { panic!("no root of {p}, {q} is found") };
+        assert!(left < p && p < right && right < q, "{left} {right} for {p}, {q}");
+        assert!((piece.narrow(left, right).middle() - p).abs() < 1e-12);
+        let grazing = Piece { length: 0.9 * p, ..piece };
+        assert!(matches!(grazing.first_root(), FirstRoot::None));
+    }
+}

@@ -6,6 +6,7 @@ use crate::{
     bounds::Bounds,
     digits::Digits,
     directed::Directed,
+    interval::Interval,
     sequence::{self, End, Wanted},
     twofold::Twofold,
 };
@@ -44,5 +45,47 @@ fn an_early_tail_contains_a_late_one() {
                 check(&case.with_slenderness(slender));
             }
         }
+    }
+}
+
+/// However few the digits, what is proven is true: next to the critical amplitude they may leave it open, but never take one side for the
+/// other.
+#[test]
+fn no_number_of_digits_takes_one_ending_for_the_other() {
+    fn ending<F: Directed>(case: &Case) -> Option<bool> {
+        let wanted = Wanted { impacts: 1, followed: 50_000, width: 1.0 };
+        match sequence::follow::<F>(case, None, wanted).end {
+            End::Complete(_) => Some(true),
+            End::HalfPeriod | End::Overturned => Some(false),
+            _ => None,
+        }
+    }
+    let mut open = 0;
+    for (omega, eta) in [(2.0, 0.5), (0.5, 0.6), (8.0, 0.7), (2.0, 0.8)] {
+        let critical = crate::critical_amplitude(omega, eta).unwrap();
+        for away in (0..44).map(|step| 1e-3 * 0.5_f64.powi(step)) {
+            for (epsilon, complete) in
+                [(critical.epsilon_complete - away, true), (critical.epsilon_incomplete + away, false)]
+            {
+                let case = Case::from_epsilon(epsilon, omega, eta).unwrap();
+                for found in [ending::<f64>(&case), ending::<Twofold>(&case), ending::<Digits<128>>(&case)] {
+                    assert!(found.is_none_or(|found| found == complete), "{case:?}");
+                    open += usize::from(found.is_none());
+                }
+            }
+        }
+    }
+    assert!(open > 20, "doubles were never at their end: {open}");
+}
+
+/// The two amplitudes that are reported are those that were proven.
+#[test]
+fn the_certified_bracket_is_the_one_that_was_tried() {
+    for (omega, eta) in [(2.0, 0.5), (1.0, 0.7)] {
+        let critical = crate::critical_amplitude(omega, eta).unwrap();
+        let of = |epsilon: f64| Bounds::new(&(&Interval::<Digits<192>>::exactly(1.0) + &Interval::exactly(epsilon)));
+        let (complete, incomplete) = (of(critical.epsilon_complete).unwrap(), of(critical.epsilon_incomplete).unwrap());
+        assert_eq!(critical.amplitude.decimals(30)[0], complete.decimals(30)[0]);
+        assert_eq!(critical.amplitude.decimals(30)[1], incomplete.decimals(30)[1]);
     }
 }
