@@ -12,6 +12,7 @@ use crate::{
     compare::{Disagreement, Slack, Verdict, compare},
     conditioning::Conditioning,
     examine::{Examination, examine},
+    generate::{Generator, Named},
     observables::{Observable, Observed},
 };
 
@@ -20,7 +21,7 @@ use crate::{
 pub struct Judges<'a> {
     /// One for each model.
     pub oracles: Vec<&'a dyn Oracle>,
-    /// Every so many cases of a run one is judged; every case in which something is wrong is judged anyway.
+    /// Every so many cases of a run one is judged; every listed case, and every one in which something is wrong, is judged anyway.
     pub every: usize,
 }
 
@@ -66,15 +67,15 @@ const CLASSES: f64 = 16.0;
 const LARGEST: f64 = 1e30;
 
 impl Judges<'_> {
-    /// How many of so many cases are in the sample.
-    pub fn sample(&self, cases: usize) -> usize {
-        if self.oracles.is_empty() { 0 } else { cases.div_ceil(self.every.max(1)) }
+    /// Whether the case at `place` of a run is in the sample: every listed one is.
+    pub fn asks(&self, place: usize, named: &Named) -> bool {
+        !self.oracles.is_empty() && (named.generator == Generator::List || place.is_multiple_of(self.every.max(1)))
     }
 
-    /// Asks every oracle of the panel, compares, and judges if the case at `place` of the run is one of the sample or something is wrong with it.
-    pub fn examine(&self, panel: &[&dyn Oracle], place: usize, case: &Case) -> Examination {
+    /// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
+    pub fn examine(&self, panel: &[&dyn Oracle], case: &Case, asked: bool) -> Examination {
         let mut examination = examine(panel, case);
-        if place.is_multiple_of(self.every.max(1)) || !examination.faults().is_empty() {
+        if asked || !examination.faults().is_empty() {
             examination.judgements = self.judge(case, &examination.answers, |_| true);
         }
         examination

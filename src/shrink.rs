@@ -22,8 +22,7 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, fault: &Fault
         .collect();
     let fails = |case: &Case| {
         let examination = match fault {
-            // The first case of any run is judged.
-            Fault::Refuted { .. } => judges.examine(&concerned, 0, case),
+            Fault::Refuted { .. } => judges.examine(&concerned, case, true),
             _ => examine(&concerned, case),
         };
         examination.faults().into_iter().find(|found| found.resembles(fault))

@@ -68,13 +68,14 @@ pub fn run(
         .par_iter()
         .enumerate()
         .map(|(place, named)| {
-            let examination = judges.examine(panel, place, &named.case);
+            let examination = judges.examine(panel, &named.case, judges.asks(place, named));
             done();
             let (faults, confirmed) = (examination.faults(), examination.confirmed());
             (Tally::of(named, &examination), Failure { named: named.clone(), faults, confirmed })
         })
         .collect();
-    let mut tally = Tally::expecting(judges.sample(cases.len()));
+    let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
+    let mut tally = Tally::expecting(asked);
     let mut failures = Vec::new();
     for (of_case, failure) in results {
         tally.add(of_case);

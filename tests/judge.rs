@@ -134,7 +134,10 @@ fn only_a_sample_is_judged_unless_something_is_wrong() {
     let judges = panel::judges();
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    for (every, expected) in [(1, cases.len()), (7, cases.len().div_ceil(7))] {
+    let listed = |(place, named): &(usize, &Named)| named.generator == Generator::List || place.is_multiple_of(7);
+    let sample = cases.iter().enumerate().filter(listed).count();
+    assert!(sample > cases.len().div_ceil(7) && sample < cases.len());
+    for (every, expected) in [(1, cases.len()), (7, sample)] {
         let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
         assert_eq!(verify::run(&panel, &judges, &cases, 0, None, || ()).0.judged.cases, expected);
     }
@@ -179,7 +182,7 @@ fn a_judge_that_says_nothing_falls_short() {
     let cases = verify::cases(&verify::Request { cases: 4, seed: 5, partition: (1, 8) });
     let judges = Judges { oracles: vec![&Silent], every: 2 };
     let report = verify::run(&panel, &judges, &cases, 0, Some(Vec::new()), || ()).0;
-    assert_eq!((report.judged.asked, report.judged.cases), (cases.len().div_ceil(2), 0));
+    assert!(report.judged.asked >= cases.len() / 2 && report.judged.cases == 0);
     let silent = |shortfall: &String| shortfall.starts_with("the judge was asked");
     assert!(report.shortfalls.iter().any(silent), "{:?}", report.shortfalls);
 }

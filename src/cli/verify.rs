@@ -31,7 +31,7 @@ pub(super) struct Arguments {
     oracles: Option<String>,
     #[command(flatten)]
     files: ReportFiles,
-    /// Judge every N-th case by proven enclosures, or `all`; those with something wrong are judged anyway
+    /// Judge every N-th case by proven enclosures, or `all`; listed cases and those with something wrong are judged anyway
     #[arg(long, value_name = "all|N", default_value = "10", allow_hyphen_values = true)]
     judge: String,
     /// Run only the K-th of N shares of the cases
