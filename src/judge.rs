@@ -83,7 +83,8 @@ impl Judges<'_> {
 
     /// Judges the answers to a case at the places that are `wanted`.
     pub fn judge(&self, case: &Case, answers: &[Answer], wanted: impl Fn(usize) -> bool) -> Vec<Judgement> {
-        let judges: Vec<Answer> = self.oracles.iter().map(|judge| ask(*judge, case)).collect();
+        let needed = |judge: &&&dyn Oracle| answers.iter().any(|answer| answer.model == judge.model());
+        let judges: Vec<Answer> = self.oracles.iter().filter(needed).map(|judge| ask(*judge, case)).collect();
         let judged = answers.iter().enumerate().filter(|(place, _)| wanted(*place)).filter_map(|(place, answer)| {
             let judge = judges.iter().find(|judge| judge.model == answer.model)?;
             Some(judgement(place, case, judge.observed()?, judge.oracle.clone(), answer.observed()?))

@@ -63,17 +63,23 @@ pub fn enclosure_of(model: Model) -> Enclosure {
     Enclosure::new(model)
 }
 
-/// The same by the name of its model, with this many digits.
+/// The same, if `name` is its name; the model is the one that the name or the settings say, or else `equation`.
 ///
 /// # Errors
-/// When `model` is neither `linear` nor `nonlinear`, or there are no such digits.
-pub fn enclosure(model: &str, digits: Option<u32>) -> Result<Enclosure, Invalid> {
-    let enclosure = match model {
-        "linear" => Enclosure::new(Model::Linear),
-        "nonlinear" => Enclosure::new(Model::Nonlinear),
-        other => return Err(Invalid::new("model", other, "linear or nonlinear")),
+/// When the model is not known, or settings are given that are for an ODE oracle only.
+pub fn enclosure(name: &str, settings: &OdeSettings, equation: &str) -> Result<Option<Enclosure>, Invalid> {
+    let named = match name {
+        "enclosure" => None,
+        "enclosure/linear" => Some("linear"),
+        "enclosure/nonlinear" => Some("nonlinear"),
+        _ => return Ok(None),
     };
-    digits.map_or(Ok(enclosure), |digits| enclosure.with_digits(digits))
+    refuse(&OdeSettings { equation: None, ..*settings })?;
+    match settings.equation.or(named).unwrap_or(equation) {
+        "linear" => Ok(Some(Enclosure::new(Model::Linear))),
+        "nonlinear" => Ok(Some(Enclosure::new(Model::Nonlinear))),
+        other => Err(Invalid::new("model", other, "linear or nonlinear")),
+    }
 }
 
 /// The certified critical amplitude of the linear model.
@@ -140,11 +146,8 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
         };
         return Ok(Box::new(ode(&settings, equation)?));
     }
-    let named_model = name.strip_prefix("enclosure/").or((name == "enclosure").then_some(equation));
-    if let (Some(model), OdeSettings { equation: given, method: None, flights: None, rtol: None }) =
-        (named_model, *settings)
-    {
-        return Ok(Box::new(enclosure(given.unwrap_or(model), None)?));
+    if let Some(enclosure) = enclosure(name, settings, equation)? {
+        return Ok(Box::new(enclosure));
     }
     let simple: Box<dyn Oracle> = match name {
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
@@ -152,9 +155,14 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
         "taylor" => Box::new(Taylor),
         "asymptotic" => Box::new(Asymptotic),
         "printed" => Box::new(Printed::default()),
-        "enclosure" | "enclosure/linear" | "enclosure/nonlinear" => Box::new(enclosure("linear", None)?),
         _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),
     };
+    refuse(settings)?;
+    Ok(simple)
+}
+
+/// The settings of an ODE oracle, given to another one.
+fn refuse(settings: &OdeSettings) -> Result<(), Invalid> {
     let OdeSettings { equation, method, flights, rtol } = *settings;
     let given = [
         ("model", equation.map(str::to_owned)),
@@ -164,7 +172,7 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
     ];
     match given.into_iter().find_map(|(field, value)| Some((field, value?))) {
         Some((field, value)) => Err(Invalid::new(field, value, "only with --oracle ode")),
-        None => Ok(simple),
+        None => Ok(()),
     }
 }
 

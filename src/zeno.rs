@@ -25,19 +25,25 @@ pub fn close(history: &History, eta: f64) -> Option<Estimate> {
         return Some(own);
     }
     let last = history.impacts.last()?;
-    let pairs = pair_differences(&history.impacts);
-    let best = columns(&pairs, last.time, eta).min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty))?;
+    let (_, best) = best_column(history, eta)?;
     Some(Estimate { value: best.value, uncertainty: best.uncertainty + last.uncertainty.time })
 }
 
+/// The column with the smallest estimated error, and its value.
+fn best_column(history: &History, eta: f64) -> Option<(usize, Estimate)> {
+    let pairs = pair_differences(&history.impacts);
+    let columns = columns(&pairs, history.impacts.last()?.time, eta).enumerate();
+    columns.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty))
+}
+
 /// The derivatives of that chattering time by `a`, `ω` and `η`, from those of every impact: the closure is differentiated as it stands, its
-/// ratios `η^{2k}` included, in the column that [`close`] takes. `None` with fewer than two impacts, and where an oracle has a chattering
+/// ratios `η^{2k}` included, in the column that [`close`] takes. `None` with fewer than four impacts, and where an oracle has a chattering
 /// time of its own.
 pub fn sensitivity(history: &History, sensitivities: &[Sensitivity], eta: f64) -> Option<[f64; 3]> {
-    let last = history.impacts.last().filter(|_| history.chattering_time.is_none())?;
-    let pairs = pair_differences(&history.impacts);
-    let (best, _) =
-        columns(&pairs, last.time, eta).enumerate().min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty))?;
+    if history.chattering_time.is_some() {
+        return None;
+    }
+    let (best, _) = best_column(history, eta)?;
     let mut slope = sensitivities.last()?.time;
     for (parameter, slope) in slope.iter_mut().enumerate() {
         let by = |of: &Sensitivity| of.interval.get(parameter).copied().unwrap_or(0.0);

@@ -2,7 +2,7 @@
 
 use chattercheck::{
     case_file::CaseFields,
-    panel::{self, Enclosure},
+    panel::{self, Enclosure, OdeSettings},
 };
 use clap::Args;
 use contract::{Case, Invalid, Oracle};
@@ -77,25 +77,29 @@ pub(crate) struct OracleFlags {
 }
 
 impl OracleFlags {
-    /// The oracle with proven bounds and this many digits, if it is the one that is named.
-    pub fn enclosure(&self, case: &Case, digits: Option<u32>) -> Option<Result<Enclosure, Invalid>> {
-        let fallback = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
-        let named = self.oracle.strip_prefix("enclosure")?;
-        let model = named.strip_prefix('/').or(self.model.as_deref()).unwrap_or(fallback);
-        Some(panel::enclosure(model, digits))
+    /// The oracle with proven bounds, if it is the one that is named.
+    pub fn enclosure(&self, case: &Case) -> Result<Option<Enclosure>, Invalid> {
+        panel::enclosure(&self.oracle, &self.settings(), equation(case))
     }
 
     /// The oracle, for a case with or without slenderness.
     pub fn oracle(&self, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
-        let fallback = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
-        let settings = panel::OdeSettings {
+        panel::one(&self.oracle, &self.settings(), equation(case))
+    }
+
+    fn settings(&self) -> OdeSettings<'_> {
+        OdeSettings {
             equation: self.model.as_deref(),
             method: self.method.as_deref(),
             flights: self.flights.as_deref(),
             rtol: self.rtol,
-        };
-        panel::one(&self.oracle, &settings, fallback)
+        }
     }
+}
+
+/// The equation that is meant if none is named.
+fn equation(case: &Case) -> &'static str {
+    if case.slenderness().is_some() { "nonlinear" } else { "linear" }
 }
 
 /// A number of the command line. Whether its value is allowed is for the contract to say.

@@ -53,13 +53,11 @@ struct Answer<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
     let mut case = arguments.case.case(impacts)?;
-    // What is no number of digits at all is as much out of range as zero.
-    let digits = arguments.digits.map(|digits| u32::try_from(digits).unwrap_or(0));
-    if let Some(enclosure) = arguments.oracle.enclosure(&case, digits) {
-        return enclosed(arguments, &enclosure?, &case);
-    }
-    if let Some(digits) = arguments.digits {
-        return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into());
+    match (arguments.oracle.enclosure(&case)?, arguments.digits) {
+        (Some(enclosure), None) => return enclosed(arguments, &enclosure, &case),
+        (Some(enclosure), Some(digits)) => return enclosed(arguments, &enclosure.with_digits(digits)?, &case),
+        (None, Some(digits)) => return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into()),
+        (None, None) => {}
     }
     let oracle = arguments.oracle.oracle(&case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
@@ -87,7 +85,7 @@ fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow
         let [lower, upper] = time.decimals(time.places(enclosure.digits()));
         (answer.lower, answer.upper) = (Some(lower), Some(upper));
         answer.method = Some("proven bounds");
-        let wanted = 10.0_f64.powi(1 - i32::try_from(enclosure.digits()).unwrap_or(i32::MAX)) * time.upper();
+        let wanted = 10.0_f64.powi(1 - enclosure.digits() as i32) * time.upper();
         if time.width() > wanted {
             eprintln!("{}: proven, but wider than asked: it would have taken too long", enclosure.name());
         }

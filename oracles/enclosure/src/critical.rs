@@ -63,7 +63,7 @@ pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
     // Eq. 77 is a start; no frequency in range has its critical amplitude beyond 10.
     let mut next = -0.3941 * eta.powi(3) + 0.5763 * eta * eta - 0.45 * eta + 0.271;
     for tried in 1..=MOST_TRIED {
-        let verdict = judge(next, omega, eta).map_err(|_| range("omega", omega, "0.1 <= omega <= 100"))?;
+        let verdict = judge(next, omega, eta).map_err(|invalid| Decline::NotConvergent { why: invalid.to_string() })?;
         match verdict {
             None => {
                 return Err(Decline::NotConvergent {

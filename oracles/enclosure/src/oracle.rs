@@ -59,12 +59,13 @@ impl Enclosure {
     /// The same oracle, with this many correct digits in every number; fewer in a chattering time that would take too many impacts.
     ///
     /// # Errors
-    /// When `digits` is 0 or above [`Enclosure::MOST_DIGITS`].
-    pub fn with_digits(self, digits: u32) -> Result<Self, Invalid> {
-        if digits == 0 || digits > Self::MOST_DIGITS {
-            return Err(Invalid::new("digits", digits, "1 <= digits <= 100"));
+    /// When `digits` is below 1 or above [`Enclosure::MOST_DIGITS`].
+    pub fn with_digits(self, digits: impl Into<i64>) -> Result<Self, Invalid> {
+        let digits = digits.into();
+        match u32::try_from(digits) {
+            Ok(digits @ 1..=Self::MOST_DIGITS) => Ok(Self { digits, ..self }),
+            _ => Err(Invalid::new("digits", digits, "1 <= digits <= 100")),
         }
-        Ok(Self { digits, ..self })
     }
 
     /// How many digits are asked of it.

@@ -95,7 +95,7 @@ fn exhausted<F>(impacts: Vec<Impact<F>>, complete: Option<Interval<F>>, wanted: 
 pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted: Wanted) -> Sequence<F> {
     let epsilon: Interval<F> = if slenderness.is_some() { excess(case) } else { Interval::exactly(case.epsilon()) };
     let mut impacts = Vec::new();
-    if (-&epsilon).is_positive() || case.epsilon() == 0.0 && epsilon.width() == 0.0 {
+    if epsilon.upper <= F::exactly(0.0) {
         return clear(impacts, End::NeverRocks);
     }
     if !epsilon.is_positive() {
@@ -113,7 +113,9 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
     let mut side = Side::Minus;
     let mut speed = Interval::zero();
     let mut complete: Option<Interval<F>> = None;
-    for followed in 1.. {
+    let mut followed = 0;
+    loop {
+        followed += 1;
         let takeoff = Takeoff { phase, side, speed, horizon: &horizon - &time };
         let (interval, landing_speed) = match motion.fly(takeoff) {
             Outcome::Landing { interval, speed, phase: at } => {
@@ -152,5 +154,4 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
             return exhausted(impacts, complete, wanted);
         }
     }
-    clear(impacts, End::Unclear)
 }

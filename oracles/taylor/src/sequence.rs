@@ -12,8 +12,8 @@ const FEW_STEPS: u32 = 40;
 
 /// The history of `block`, with claims from the differences to those of `perturbed`: runs whose parameters are changed by about what rounding
 /// does to them in all flights, each in another way, because the effect of one may vanish where that of another does not. Claimed are 0.6 times
-/// (of the time 0.3 times) the sum of the largest relative differences so far and `4e-15 + 1e-16 n`, which stayed three times as large as the
-/// true error or more; nothing where a perturbed run has no such impact.
+/// (of the time 0.3 times) the sum of the largest relative differences so far and `4e-15 + 1e-16 n`, which no true error reaches in the default
+/// run of `chattercheck verify --judge all`; nothing where a perturbed run has no such impact.
 pub fn history(block: &Block, perturbed: &[Block], horizon: Horizon, most: usize) -> History {
     let (mut impacts, ending) = run(block, horizon, most);
     let margins: Vec<Uncertainty> = impacts.iter().map(|impact| impact.uncertainty).collect();
