@@ -109,7 +109,7 @@ pub const USED: Tolerance = Tolerance {
     value: 0.01,
     meaning: "smallest share of the allowance that the worst figure of every observable has to use",
     reason: "Claims and gaps that nothing ever comes near to are too wide to find anything; the worst figures of every pair use \
-             2 % or more.",
+             3 % or more.",
 };
 
 /// How much larger than its true error an oracle may claim that it is.
