@@ -4,6 +4,7 @@
 use chattercheck::{
     answer::ask,
     examine::Fault,
+    faults::plant::{Plant, Planted},
     generate::{Generator, Named},
     judge::Judges,
     ladder, panel,
@@ -11,28 +12,6 @@ use chattercheck::{
     tolerance, verify,
 };
 use contract::{Case, Decline, Ending, History, Model, Oracle, Uncertainty};
-
-/// An oracle whose answers are tampered with.
-struct Faulty {
-    inner: Box<dyn Oracle>,
-    answer: fn(&mut History),
-}
-
-impl Oracle for Faulty {
-    fn name(&self) -> &str {
-        self.inner.name()
-    }
-
-    fn model(&self) -> Model {
-        self.inner.model()
-    }
-
-    fn history(&self, case: &Case) -> Result<History, Decline> {
-        let mut history = self.inner.history(case)?;
-        (self.answer)(&mut history);
-        Ok(history)
-    }
-}
 
 fn fig2() -> Named {
     let case = Case::from_amplitude(1.03, 2.0, 0.92).unwrap();
@@ -47,8 +26,9 @@ fn judged(panel: &[&dyn Oracle], cases: &[Named], whole: bool) -> Report {
 }
 
 /// The closed form, tampered with, beside an honest solver.
-fn with_faulty(answer: fn(&mut History)) -> Report {
-    let faulty = Faulty { inner: panel::default().swap_remove(0), answer };
+fn with_faulty(answer: fn(&Case, f64, &mut History)) -> Report {
+    let closed_form = panel::default().swap_remove(0);
+    let faulty = Planted { honest: closed_form.as_ref(), plant: Plant::Answer(answer), size: 1.0 };
     let honest = panel::select("ode/linear/tsit45").unwrap();
     judged(&[&faulty, honest[0].as_ref()], &[fig2()], false)
 }
@@ -82,7 +62,7 @@ fn claims_are_calibrated() {
 
 #[test]
 fn the_one_that_is_wrong_is_named() {
-    let report = with_faulty(|history| history.impacts[20].interval *= 1.0 + 1e-6);
+    let report = with_faulty(|_, _, history| history.impacts[20].interval *= 1.0 + 1e-6);
     assert_eq!(refuted(&report), ["closed-form"]);
     let failure = &report.failures[0];
     assert_eq!(failure.confirmed, ["ode/linear/tsit45"]);
@@ -94,7 +74,7 @@ fn the_one_that_is_wrong_is_named() {
 #[test]
 fn a_claim_below_the_true_error_is_refuted_though_every_oracle_agrees() {
     // The two agree to within the claims of the solver; only the judge sees that the closed form claims too little.
-    let report = with_faulty(|history| {
+    let report = with_faulty(|_, _, history| {
         for impact in &mut history.impacts {
             impact.uncertainty = Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
         }
@@ -105,22 +85,21 @@ fn a_claim_below_the_true_error_is_refuted_though_every_oracle_agrees() {
 
 #[test]
 fn a_wrong_ending_is_refuted() {
-    assert_eq!(refuted(&with_faulty(|history| history.ending = Ending::Incomplete)), ["closed-form"]);
+    assert_eq!(refuted(&with_faulty(|_, _, history| history.ending = Ending::Incomplete)), ["closed-form"]);
 }
 
 #[test]
 fn claims_that_are_far_too_wide_fall_short() {
     let cases = verify::cases(&verify::Request { cases: 40, seed: 5, partition: (1, 4) });
-    let faulty = Faulty {
-        inner: panel::default().swap_remove(0),
-        answer: |history| {
-            for impact in &mut history.impacts {
-                let Uncertainty { time, interval, velocity } = impact.uncertainty;
-                impact.uncertainty =
-                    Uncertainty { time: 10.0 * time, interval: 10.0 * interval, velocity: 10.0 * velocity };
-            }
-        },
-    };
+    let closed_form = panel::default().swap_remove(0);
+    let wider = Plant::Answer(|_, factor, history| {
+        for impact in &mut history.impacts {
+            let Uncertainty { time, interval, velocity } = impact.uncertainty;
+            impact.uncertainty =
+                Uncertainty { time: factor * time, interval: factor * interval, velocity: factor * velocity };
+        }
+    });
+    let faulty = Planted { honest: closed_form.as_ref(), plant: wider, size: 10.0 };
     let honest = panel::select("ode/linear/tsit45").unwrap();
     let report = judged(&[&faulty, honest[0].as_ref()], &cases, true);
     let short =
