@@ -11,6 +11,7 @@
 
 pub mod answer;
 pub mod case_file;
+pub mod chart;
 pub mod compare;
 pub mod conditioning;
 pub mod confirm;

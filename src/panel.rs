@@ -1,6 +1,7 @@
 //! The panel of oracles: the only file that names them all. To add a method, add its crate and a line here.
 
 use asymptotic::Asymptotic;
+pub use asymptotic::{Approach, Order, approach};
 use closed_form::ClosedForm;
 use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
@@ -11,13 +12,16 @@ use taylor::Taylor;
 /// Oracles that are asked the same cases.
 pub type Panel = Vec<Box<dyn Oracle>>;
 
-/// The oracle whose error is to fall with `ε`.
-pub const SERIES: &str = "asymptotic";
+/// The oracle whose error is to fall with `ε`: the series to the order of the paper.
+pub const SERIES: &str = "asymptotic/paper";
+
+/// The order of the series in the default panel: as high as random cases can have it in milliseconds each.
+const HIGH_ORDER: Order = Order::Terms(16);
 
 /// The largest share of the cases of a run that an oracle may decline: two thirds for those that do not reach everywhere (the series near `a_cr`,
 /// where most of the cases of a run with few random ones are; many digits at depth), hardly any for those that are made for every case.
 pub fn may_decline(oracle: &str) -> f64 {
-    if [SERIES, "printed"].contains(&oracle) { 2.0 / 3.0 } else { 0.01 }
+    if oracle.starts_with("asymptotic/") || oracle == "printed" { 2.0 / 3.0 } else { 0.01 }
 }
 
 /// Every oracle that `verify` asks by default.
@@ -30,8 +34,14 @@ pub fn default() -> Panel {
         Box::new(Ode::new(Equation::Linear, Method::Esdirk34)),
         Box::new(Ode::new(Equation::Nonlinear, Method::Tsit45)),
         Box::new(Taylor),
-        Box::new(Asymptotic),
+        Box::new(Asymptotic::new()),
+        Box::new(series(HIGH_ORDER)),
     ]
+}
+
+/// The series to an order that is known to be allowed; to that of the paper otherwise.
+fn series(order: Order) -> Asymptotic {
+    Asymptotic::new().with_order(order).unwrap_or_default()
 }
 
 /// The oracles whose claims are proven, one for each model: they judge the others.
@@ -43,6 +53,7 @@ pub fn judges() -> Panel {
 pub fn all() -> Panel {
     let mut panel = default();
     panel.extend(judges());
+    panel.push(Box::new(series(Order::Resummed)));
     panel.push(Box::new(Printed::default()));
     for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
         panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
@@ -66,15 +77,15 @@ pub fn enclosure_of(model: Model) -> Enclosure {
 /// The same, if `name` is its name; the model is the one that the name or the settings say, or else `equation`.
 ///
 /// # Errors
-/// When the model is not known, or settings are given that are for an ODE oracle only.
-pub fn enclosure(name: &str, settings: &OdeSettings, equation: &str) -> Result<Option<Enclosure>, Invalid> {
+/// When the model is not known, or settings are given that are for another oracle only.
+pub fn enclosure(name: &str, settings: &Settings, equation: &str) -> Result<Option<Enclosure>, Invalid> {
     let named = match name {
         "enclosure" => None,
         "enclosure/linear" => Some("linear"),
         "enclosure/nonlinear" => Some("nonlinear"),
         _ => return Ok(None),
     };
-    refuse(&OdeSettings { equation: None, ..*settings })?;
+    settings.refuse_all_but(&["model"])?;
     match settings.equation.or(named).unwrap_or(equation) {
         "linear" => Ok(Some(Enclosure::new(Model::Linear))),
         "nonlinear" => Ok(Some(Enclosure::new(Model::Nonlinear))),
@@ -115,30 +126,54 @@ pub fn select(list: &str) -> Result<Panel, Invalid> {
     Ok(all().into_iter().filter(|oracle| names.iter().any(|name| name == oracle.name())).collect())
 }
 
-/// Settings of the ODE oracle in the words of the command line; `None` means its default.
+/// Settings of an oracle in the words of the command line; `None` means its default.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct OdeSettings<'a> {
-    /// `linear` or `nonlinear`.
+pub struct Settings<'a> {
+    /// For ode and enclosure: `linear` or `nonlinear`.
     pub equation: Option<&'a str>,
-    /// `tsit45`, `bdf`, `tr-bdf2` or `esdirk34`.
+    /// For ode: `tsit45`, `bdf`, `tr-bdf2` or `esdirk34`.
     pub method: Option<&'a str>,
-    /// `rescaled` or `naive`.
+    /// For ode: `rescaled` or `naive`.
     pub flights: Option<&'a str>,
-    /// The relative tolerance.
+    /// For ode: the relative tolerance.
     pub rtol: Option<f64>,
+    /// For asymptotic: `paper`, how many terms, or `resummed`.
+    pub order: Option<&'a str>,
+    /// For asymptotic: the largest relative error of the chattering time that is accepted.
+    pub tolerance: Option<f64>,
 }
 
-/// One oracle by its name: `closed-form`, `ode`, `enclosure` (or the full name of one of these), `taylor`, `asymptotic` or `printed`. `equation`
-/// is the one that an oracle for both equations solves if the settings don't say.
+impl Settings<'_> {
+    /// An error if a setting is given that is not one of `used`.
+    fn refuse_all_but(&self, used: &[&str]) -> Result<(), Invalid> {
+        let Self { equation, method, flights, rtol, order, tolerance } = *self;
+        let given = [
+            ("model", equation.map(str::to_owned), "only with --oracle ode or enclosure"),
+            ("method", method.map(str::to_owned), "only with --oracle ode"),
+            ("flights", flights.map(str::to_owned), "only with --oracle ode"),
+            ("rtol", rtol.map(|rtol| rtol.to_string()), "only with --oracle ode"),
+            ("order", order.map(str::to_owned), "only with --oracle asymptotic"),
+            ("tolerance", tolerance.map(|tolerance| tolerance.to_string()), "only with --oracle asymptotic"),
+        ];
+        let unused = given.into_iter().filter(|(field, ..)| !used.contains(field));
+        match unused.filter_map(|(field, value, allowed)| Some((field, value?, allowed))).next() {
+            Some((field, value, allowed)) => Err(Invalid::new(field, value, allowed)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// One oracle by its name: `closed-form`, `ode`, `enclosure`, `asymptotic` (or the full name of one of these), `taylor` or `printed`.
+/// `equation` is the one that an oracle for both equations solves if the settings don't say.
 ///
 /// # Errors
 /// When a name or a setting is not known, or settings are given to an oracle that has none.
-pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn Oracle>, Invalid> {
+pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Oracle>, Invalid> {
     // The full name of an ODE oracle says its settings.
     if let Some(of_ode) = name.strip_prefix("ode/") {
         let mut parts = of_ode.split('/');
         let (named_equation, named_method, named_flights) = (parts.next(), parts.next(), parts.next());
-        let settings = OdeSettings {
+        let settings = Settings {
             equation: settings.equation.or(named_equation),
             method: settings.method.or(named_method),
             flights: settings.flights.or(named_flights),
@@ -146,37 +181,42 @@ pub fn one(name: &str, settings: &OdeSettings, equation: &str) -> Result<Box<dyn
         };
         return Ok(Box::new(ode(&settings, equation)?));
     }
+    if let Some(order) = name.strip_prefix("asymptotic/") {
+        let order = settings.order.unwrap_or(order.strip_prefix("order-").unwrap_or(order));
+        return Ok(Box::new(asymptotic(&Settings { order: Some(order), ..*settings })?));
+    }
     if let Some(enclosure) = enclosure(name, settings, equation)? {
         return Ok(Box::new(enclosure));
     }
     let simple: Box<dyn Oracle> = match name {
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
+        "asymptotic" => return Ok(Box::new(asymptotic(settings)?)),
         "closed-form" => Box::new(ClosedForm),
         "taylor" => Box::new(Taylor),
-        "asymptotic" => Box::new(Asymptotic),
         "printed" => Box::new(Printed::default()),
         _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),
     };
-    refuse(settings)?;
+    settings.refuse_all_but(&[])?;
     Ok(simple)
 }
 
-/// The settings of an ODE oracle, given to another one.
-fn refuse(settings: &OdeSettings) -> Result<(), Invalid> {
-    let OdeSettings { equation, method, flights, rtol } = *settings;
-    let given = [
-        ("model", equation.map(str::to_owned)),
-        ("method", method.map(str::to_owned)),
-        ("flights", flights.map(str::to_owned)),
-        ("rtol", rtol.map(|rtol| rtol.to_string())),
-    ];
-    match given.into_iter().find_map(|(field, value)| Some((field, value?))) {
-        Some((field, value)) => Err(Invalid::new(field, value, "only with --oracle ode")),
-        None => Ok(()),
-    }
+fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {
+    settings.refuse_all_but(&["order", "tolerance"])?;
+    let order = match settings.order.unwrap_or("paper") {
+        "paper" => Order::Paper,
+        "resummed" => Order::Resummed,
+        terms => Order::Terms(
+            terms
+                .parse()
+                .map_err(|_| Invalid::new("order", terms, "paper, resummed, or a number of terms, 1 to 92"))?,
+        ),
+    };
+    let asymptotic = Asymptotic::new().with_order(order)?;
+    settings.tolerance.map_or(Ok(asymptotic.clone()), |tolerance| asymptotic.with_tolerance(tolerance))
 }
 
-fn ode(settings: &OdeSettings, equation: &str) -> Result<Ode, Invalid> {
+fn ode(settings: &Settings, equation: &str) -> Result<Ode, Invalid> {
+    settings.refuse_all_but(&["model", "method", "flights", "rtol"])?;
     let equation = match settings.equation.unwrap_or(equation) {
         "linear" => Equation::Linear,
         "nonlinear" => Equation::Nonlinear,

@@ -6,12 +6,12 @@ use chattercheck::{
     generate::Generator,
     judge::Judges,
     observables::{Observable, Observed},
-    panel::{self, OdeSettings},
+    panel::{self, Settings},
     verify, zeno,
 };
 use contract::{Case, Ending, Normalisation, Oracle, Slenderness};
 
-fn oracle(name: &str, settings: &OdeSettings) -> Box<dyn Oracle> {
+fn oracle(name: &str, settings: &Settings) -> Box<dyn Oracle> {
     panel::one(name, settings, "linear").unwrap()
 }
 
@@ -28,8 +28,8 @@ const TAU_CH: f64 = 1.125_947_676_933_812_1;
 
 #[test]
 fn a_thousand_random_cases_of_sixty_impacts_are_not_lost_and_agree() {
-    let closed = oracle("closed-form", &OdeSettings::default());
-    let ode = oracle("ode", &OdeSettings { rtol: Some(1e-11), ..OdeSettings::default() });
+    let closed = oracle("closed-form", &Settings::default());
+    let ode = oracle("ode", &Settings { rtol: Some(1e-11), ..Settings::default() });
     let mut impacts = 0;
     for named in Generator::Random.cases(2, 1000, closed.as_ref()) {
         let case = named.case.with_max_impacts(60).unwrap();
@@ -48,7 +48,7 @@ fn a_thousand_random_cases_of_sixty_impacts_are_not_lost_and_agree() {
 
 #[test]
 fn the_sum_is_closed_to_the_last_digits() {
-    let closed = observed(oracle("closed-form", &OdeSettings::default()).as_ref(), &reference_case(60));
+    let closed = observed(oracle("closed-form", &Settings::default()).as_ref(), &reference_case(60));
     let eq75 = zeno::eq75(&closed.history, 0.92).unwrap();
     assert!((1e-6..3e-5).contains(&(eq75 - TAU_CH).abs()), "Eq. 75 is off by {:e}", eq75 - TAU_CH);
     let time = closed.chattering_time.unwrap();
@@ -58,7 +58,7 @@ fn the_sum_is_closed_to_the_last_digits() {
 
 #[test]
 fn the_claimed_error_of_the_chattering_time_holds_at_every_depth() {
-    let closed = oracle("closed-form", &OdeSettings::default());
+    let closed = oracle("closed-form", &Settings::default());
     let mut closed_early = 0;
     for named in Generator::Spaced.cases(1, 0, closed.as_ref()) {
         let deep = observed(closed.as_ref(), &named.case.with_max_impacts(2000).unwrap());
@@ -79,8 +79,8 @@ fn the_claimed_error_of_the_chattering_time_holds_at_every_depth() {
 #[test]
 fn every_impact_is_resolved_down_to_intervals_of_1e_20() {
     let case = reference_case(560);
-    let ode = observed(oracle("ode", &OdeSettings::default()).as_ref(), &case);
-    let closed = observed(oracle("closed-form", &OdeSettings::default()).as_ref(), &case);
+    let ode = observed(oracle("ode", &Settings::default()).as_ref(), &case);
+    let closed = observed(oracle("closed-form", &Settings::default()).as_ref(), &case);
     assert_eq!((ode.history.ending, closed.history.ending), (Ending::AtRest, Ending::AtRest));
     assert!(ode.history.impacts.last().unwrap().interval < 1e-20);
     for n in 1..=560 {
@@ -91,8 +91,8 @@ fn every_impact_is_resolved_down_to_intervals_of_1e_20() {
 
 #[test]
 fn the_models_differ_by_what_the_slenderness_costs() {
-    let linear = observed(oracle("closed-form", &OdeSettings::default()).as_ref(), &reference_case(80));
-    let nonlinear = oracle("ode", &OdeSettings { equation: Some("nonlinear"), ..OdeSettings::default() });
+    let linear = observed(oracle("closed-form", &Settings::default()).as_ref(), &reference_case(80));
+    let nonlinear = oracle("ode", &Settings { equation: Some("nonlinear"), ..Settings::default() });
     let at = |alpha: f64, normalisation: Normalisation| {
         let case = reference_case(80).with_slenderness(Slenderness::new(alpha, normalisation).unwrap());
         let time = observed(nonlinear.as_ref(), &case).chattering_time.unwrap().value;
@@ -106,7 +106,7 @@ fn the_models_differ_by_what_the_slenderness_costs() {
 
 #[test]
 fn slender_normalisation_is_threshold_normalisation_at_a_smaller_amplitude() {
-    let nonlinear = oracle("ode", &OdeSettings { equation: Some("nonlinear"), ..OdeSettings::default() });
+    let nonlinear = oracle("ode", &Settings { equation: Some("nonlinear"), ..Settings::default() });
     let (alpha, a) = (0.15_f64, 1.03);
     let of = |a: f64, normalisation: Normalisation| {
         let case = Case::from_amplitude(a, 2.0, 0.9).unwrap();
@@ -123,7 +123,7 @@ fn slender_normalisation_is_threshold_normalisation_at_a_smaller_amplitude() {
 
 #[test]
 fn the_printed_equations_with_many_digits_agree_with_every_method() {
-    let panel = panel::select("closed-form,ode/linear/tsit45,asymptotic,printed").unwrap();
+    let panel = panel::select("closed-form,ode/linear/tsit45,asymptotic/paper,printed").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let cases: Vec<_> = Generator::Spaced
         .cases(1, 0, panel[0])
@@ -141,7 +141,7 @@ fn the_printed_equations_with_many_digits_agree_with_every_method() {
 
 #[test]
 fn the_critical_amplitude_is_where_direct_stepping_finds_it() {
-    let closed = oracle("closed-form", &OdeSettings::default());
+    let closed = oracle("closed-form", &Settings::default());
     for (omega, eta, critical, digits) in
         [(2.0, 0.92, 1.038_015_538_7, 2e-10), (0.5, 0.92, 1.033_02, 1e-5), (8.0, 0.92, 1.038_36, 1e-5)]
     {

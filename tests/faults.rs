@@ -42,7 +42,7 @@ const CLOSED: &str = "closed-form";
 const ODE: &str = "ode/linear/tsit45";
 const NONLINEAR: &str = "ode/nonlinear/tsit45";
 const TAYLOR: &str = "taylor";
-const SERIES: &str = "asymptotic";
+const SERIES: &str = "asymptotic/paper";
 
 fn same(case: &Case) -> Case {
     *case

@@ -14,7 +14,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("closed_form", &["contract"]),
     // diffsol is the generic solver that this oracle is about
     ("ode", &["contract", "diffsol"]),
-    ("asymptotic", &["contract"]),
+    // arithmetic with the digits of two doubles
+    ("asymptotic", &["contract", "twofloat"]),
     ("taylor", &["contract"]),
     // arithmetic with many digits, rounded in the direction asked for; another library than that of `printed`
     ("enclosure", &["contract", "dashu-float", "dashu-int"]),

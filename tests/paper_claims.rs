@@ -5,12 +5,12 @@ use approx::assert_relative_eq;
 use chattercheck::{
     critical,
     observables::{Observable, Observed},
-    panel::{self, OdeSettings},
+    panel::{self, Settings},
 };
 use contract::{Case, Ending, Oracle};
 
 fn oracle(name: &str) -> Box<dyn Oracle> {
-    panel::one(name, &OdeSettings::default(), "linear").unwrap()
+    panel::one(name, &Settings::default(), "linear").unwrap()
 }
 
 fn observed(name: &str, a: f64, omega: f64, eta: f64, impacts: usize) -> Observed {

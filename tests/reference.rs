@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use chattercheck::{
     observables::Observed,
-    panel::{self, OdeSettings},
+    panel::{self, Settings},
     reference::{CriticalRow, ImpactRow, ProvenImpactRow, ProvenTimeRow, TimeRow},
 };
 use contract::{Case, Ending, Model, Normalisation, Oracle, Slenderness};
@@ -22,7 +22,7 @@ fn value(decimal: &str) -> f64 {
 }
 
 fn oracle(name: &str) -> Box<dyn Oracle> {
-    panel::one(name, &OdeSettings::default(), "linear").unwrap()
+    panel::one(name, &Settings::default(), "linear").unwrap()
 }
 
 fn case(epsilon: f64, omega: f64, eta: f64, impacts: usize) -> Case {

@@ -2,7 +2,7 @@
 
 use chattercheck::{
     case_file::CaseFields,
-    panel::{self, Enclosure, OdeSettings},
+    panel::{self, Enclosure, Settings},
 };
 use clap::Args;
 use contract::{Case, Invalid, Oracle};
@@ -74,6 +74,12 @@ pub(crate) struct OracleFlags {
     /// For ode: each flight in its own units, or all on one clock: rescaled or naive [default: rescaled]
     #[arg(long, value_name = "FLIGHTS")]
     flights: Option<String>,
+    /// For asymptotic: paper (Eq. 65), how many terms of the series (1 to 92), or resummed [default: paper]
+    #[arg(long, value_name = "paper|K|resummed", allow_hyphen_values = true)]
+    order: Option<String>,
+    /// For asymptotic: the largest relative error of tau_ch that is accepted, by its own claim [default: 0.5]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = number)]
+    tolerance: Option<f64>,
 }
 
 impl OracleFlags {
@@ -87,12 +93,14 @@ impl OracleFlags {
         panel::one(&self.oracle, &self.settings(), equation(case))
     }
 
-    fn settings(&self) -> OdeSettings<'_> {
-        OdeSettings {
+    fn settings(&self) -> Settings<'_> {
+        Settings {
             equation: self.model.as_deref(),
             method: self.method.as_deref(),
             flights: self.flights.as_deref(),
             rtol: self.rtol,
+            order: self.order.as_deref(),
+            tolerance: self.tolerance,
         }
     }
 }

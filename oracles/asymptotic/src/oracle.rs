@@ -1,23 +1,78 @@
 use std::f64::consts::PI;
 
-use contract::{Case, Decline, Ending, Estimate, History, Horizon, Impact, Limit, Loss, Model, Oracle};
+use contract::{Case, Decline, Ending, Estimate, History, Horizon, Impact, Invalid, Limit, Loss, Model, Oracle};
 
-use crate::claim::Claim;
-use crate::coefficients::{Coefficients, coefficients};
-use crate::flights::{Flight, Flights, Interval};
+use crate::expansion::Expansion;
+use crate::paper;
+use crate::resummed::{RESUMMED_TERMS, Resummed};
+use crate::truncated::BEYOND;
 
-/// The asymptotic series of the paper's section 3, to the order of Eq. 65.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Asymptotic;
+/// How far the series is carried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// As the paper does: Eq. 65.
+    Paper,
+    /// So many terms of `ω τ_ch = ε^(1/2) (c₀ + c₁ ε + ...)`, and of the series of each impact. One term is the first sum of Eq. 65.
+    Terms(usize),
+    /// All terms that are computed, with the singularity at the critical amplitude summed by itself. Impacts are of order 60.
+    Resummed,
+}
 
-/// Beyond this claimed relative error of the chattering time the next order may be half of what was kept: no approximation is left.
+/// The asymptotic series of the paper's section 3.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asymptotic {
+    order: Order,
+    tolerance: f64,
+    name: String,
+}
+
+/// The largest order that can be asked for: [`Expansion::MOST_TERMS`] less those that tell the error.
+pub const MOST_ORDER: usize = Expansion::MOST_TERMS - BEYOND;
+
+/// Beyond this claimed relative error of the chattering time nothing of an approximation is left.
 const MOST_CLAIMED: f64 = 0.5;
-/// The claims were calibrated up to here.
-const MOST_ETA: f64 = 0.995;
+
+impl Default for Asymptotic {
+    fn default() -> Self {
+        Self { order: Order::Paper, tolerance: MOST_CLAIMED, name: "asymptotic/paper".to_owned() }
+    }
+}
+
+impl Asymptotic {
+    /// The series to the order of the paper.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The same to another order.
+    ///
+    /// # Errors
+    /// When the number of terms is 0 or more than [`MOST_ORDER`].
+    pub fn with_order(self, order: Order) -> Result<Self, Invalid> {
+        let name = match order {
+            Order::Paper => "asymptotic/paper".to_owned(),
+            Order::Resummed => "asymptotic/resummed".to_owned(),
+            Order::Terms(terms) if (1..=MOST_ORDER).contains(&terms) => format!("asymptotic/order-{terms}"),
+            Order::Terms(terms) => return Err(Invalid::new("order", terms, "paper, 1 to 92, or resummed")),
+        };
+        Ok(Self { order, name, ..self })
+    }
+
+    /// The same, but it declines where the error that it claims for the chattering time, relative, is more than `tolerance`.
+    ///
+    /// # Errors
+    /// When the tolerance is not within (0, 0.5].
+    pub fn with_tolerance(self, tolerance: f64) -> Result<Self, Invalid> {
+        if !(tolerance > 0.0 && tolerance <= MOST_CLAIMED) {
+            return Err(Invalid::new("tolerance", tolerance, "above 0, up to 0.5"));
+        }
+        Ok(Self { tolerance, ..self })
+    }
+}
 
 impl Oracle for Asymptotic {
     fn name(&self) -> &str {
-        "asymptotic"
+        &self.name
     }
 
     fn model(&self) -> Model {
@@ -28,82 +83,103 @@ impl Oracle for Asymptotic {
         if case.epsilon() <= 0.0 {
             return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
         }
-        let sums = coefficients(case.eta()).filter(|_| case.eta() <= MOST_ETA).ok_or(Decline::OutOfRange {
-            field: "eta",
-            value: case.eta(),
-            allowed: "eta <= 0.995, up to which the claims were calibrated",
-        })?;
-        for (field, value, range, allowed) in [
-            ("eta", case.eta(), 1e-3..=1.0, "eta >= 1e-3"),
-            ("omega", case.omega(), 1e-3..=1e6, "1e-3 <= omega <= 1e6"),
-            ("epsilon", case.epsilon(), 1e-60..=1e9, "1e-60 <= epsilon"),
-        ] {
-            if !range.contains(&value) {
-                return Err(Decline::OutOfRange { field, value, allowed });
+        match self.order {
+            Order::Paper => {
+                let (chattering_time, impacts) = paper::answer(case)?;
+                self.stand_by(case, chattering_time)?;
+                Ok(listed(case, chattering_time, impacts))
+            }
+            Order::Terms(order) => {
+                let expansion = Expansion::new(case.omega(), case.eta(), order + BEYOND, most_impacts(case)?)?;
+                self.sum(case, &expansion, order, expansion.chattering_time(order, case.epsilon()))
+            }
+            Order::Resummed => {
+                let expansion = Expansion::new(case.omega(), case.eta(), RESUMMED_TERMS, most_impacts(case)?)?;
+                let order = RESUMMED_TERMS - BEYOND;
+                let truncated = expansion.chattering_time(order, case.epsilon());
+                let resummed = Resummed::new(&expansion)?.chattering_time(case.epsilon());
+                // Far from the critical amplitude nothing is left to be resummed, and the plain sum rounds less.
+                let better =
+                    resummed.into_iter().chain(truncated).min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty));
+                self.sum(case, &expansion, order, better)
             }
         }
-        let chattering_time = chattering_time(case, sums)?;
-        let (impacts, ending) = impacts(case, chattering_time);
-        Ok(History { impacts, ending, chattering_time: Some(chattering_time) })
     }
 }
 
-/// Eq. 65 to infinity, or the reason why the series does not stand by it.
-fn chattering_time(case: &Case, sums: Coefficients) -> Result<Estimate, Decline> {
-    let (epsilon, omega) = (case.epsilon(), case.omega());
-    let value = (sums.x + sums.u * epsilon) * epsilon.sqrt() / omega;
-    let claim = Claim::new(epsilon, omega, sums.x, sums.u, 0);
-    let half_period = PI / omega;
-    let uncertainty = claim.time() * value;
-    // The negation declines NaN as well.
-    if !(claim.holds() && claim.time() < MOST_CLAIMED && value + uncertainty < half_period) {
-        return Err(Decline::NotConvergent {
+impl Asymptotic {
+    /// A history from a series to any order.
+    fn sum(
+        &self,
+        case: &Case,
+        expansion: &Expansion,
+        order: usize,
+        time: Option<Estimate>,
+    ) -> Result<History, Decline> {
+        let time = time.ok_or_else(|| Decline::NotConvergent {
             why: format!(
-                "the series to the order of Eq. 65 gives tau_ch = {:.4} T/2 with a relative error of up to {:.2e} at epsilon = {epsilon:.4e}: \
-                 too near the critical amplitude, or past it",
-                value / half_period,
-                claim.time(),
+                "the series does not converge at epsilon = {:.4e}: past the critical amplitude",
+                case.epsilon()
             ),
-        });
+        })?;
+        self.stand_by(case, time)?;
+        let impacts: Option<Vec<Impact>> = expansion.impacts(order, case.epsilon()).collect();
+        let impacts = impacts.ok_or_else(|| Decline::NotConvergent {
+            why: format!("the series of an impact does not converge at epsilon = {:.4e}", case.epsilon()),
+        })?;
+        Ok(listed(case, time, impacts.into_iter()))
     }
-    Ok(Estimate { value, uncertainty })
+
+    /// Whether the error that is claimed leaves something of the value.
+    fn stand_by(&self, case: &Case, time: Estimate) -> Result<(), Decline> {
+        let Estimate { value, uncertainty } = time;
+        let half_period = PI / case.omega();
+        // The negation declines NaN as well.
+        if !(uncertainty <= self.tolerance * value && value + uncertainty < half_period) {
+            return Err(Decline::NotConvergent {
+                why: format!(
+                    "it gives tau_ch = {:.4} T/2 with a relative error of up to {:.2e} at epsilon = {:.4e}; at most {:.1e} is accepted, and no \
+                     more than leaves tau_ch below T/2",
+                    value / half_period,
+                    uncertainty / value,
+                    case.epsilon(),
+                    self.tolerance,
+                ),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// How many impacts the case asks for, if they are not too many to have series of their own.
+fn most_impacts(case: &Case) -> Result<usize, Decline> {
+    const MOST: usize = 5_000;
+    let impacts = case.max_impacts();
+    if impacts > MOST {
+        let allowed = "up to 5000 for the series to any order";
+        return Err(Decline::OutOfRange { field: "impacts", value: impacts as f64, allowed });
+    }
+    Ok(impacts)
 }
 
 /// The impacts that the case asks for, and why there are no more.
-fn impacts(case: &Case, chattering_time: Estimate) -> (Vec<Impact>, Ending) {
+fn listed(case: &Case, chattering_time: Estimate, known: impl Iterator<Item = Impact>) -> History {
     let horizon = match case.horizon() {
         Horizon::HalfPeriod => f64::INFINITY,
         Horizon::Until(time) => time,
     };
     let mut impacts = Vec::new();
-    for (n, flight) in Flights::new(case.eta()).take(case.max_impacts()).enumerate() {
-        let impact = impact(case, &flight, n + 1);
+    let mut ending = if chattering_time.value > horizon { Ending::LimitReached(Limit::Time) } else { Ending::AtRest };
+    for impact in known.take(case.max_impacts()) {
         if impact.time > horizon {
-            return (impacts, Ending::LimitReached(Limit::Time));
+            ending = Ending::LimitReached(Limit::Time);
+            break;
         }
         if !(impact.interval.is_normal() && impact.velocity.is_normal()) {
-            return (impacts, Ending::Lost(Loss::NotFinite));
+            ending = Ending::Lost(Loss::NotFinite);
+            break;
         }
         impacts.push(impact);
     }
-    let ending = if chattering_time.value > horizon { Ending::LimitReached(Limit::Time) } else { Ending::AtRest };
-    (impacts, ending)
-}
-
-/// Impact `n` in the scaling of the contract: `τ_n` and `Δτ_{n-1}` of Eqs 47 and 43, `φ'_n` of Eq. 56.
-fn impact(case: &Case, flight: &Flight, n: usize) -> Impact {
-    let (epsilon, omega) = (case.epsilon(), case.omega());
-    let step = epsilon.sqrt() / omega;
-    let time = (flight.x + flight.u * epsilon) * step;
-    let interval = match flight.interval {
-        Interval::Even(duration) => duration * step,
-        Interval::Odd(duration) => duration * epsilon * step,
-    };
-    let velocity = flight.v * epsilon * step;
-    Impact {
-        time,
-        interval,
-        velocity,
-        uncertainty: Claim::new(epsilon, omega, flight.x, flight.u, n).uncertainty(time),
-    }
+    History { impacts, ending, chattering_time: Some(chattering_time) }
 }

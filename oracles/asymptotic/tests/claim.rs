@@ -48,13 +48,13 @@ fn measure(seed: u64, cases: usize) -> Measured {
         };
         let critical = exact::critical(omega, eta);
         let beyond = Case::from_epsilon(critical * (1.001 + uniform()), omega, eta).unwrap();
-        assert!(Asymptotic.history(&beyond).is_err(), "complete, it says, but is not: {beyond:?}");
+        assert!(Asymptotic::new().history(&beyond).is_err(), "complete, it says, but is not: {beyond:?}");
         let most = 0.98 * critical;
         let epsilon = if k % 3 == 0 { most * uniform() } else { 1e-8 * (most / 1e-8).powf(uniform()) };
         let case = Case::from_epsilon(epsilon, omega, eta).unwrap();
         let tenth = &mut measured.declined_by_tenth[((10.0 * epsilon / most) as usize).min(9)];
         tenth[1] += 1;
-        let Ok(history) = Asymptotic.history(&case) else {
+        let Ok(history) = Asymptotic::new().history(&case) else {
             tenth[0] += 1;
             continue;
         };

@@ -28,7 +28,7 @@ fn the_coefficients_are_right_to_1e_14() {
 
 #[test]
 fn the_papers_example_comes_to_rest_at_0_70298_of_half_a_period() {
-    let history = Asymptotic.history(&Case::from_amplitude(1.03, 2.0, 0.92).unwrap()).unwrap();
+    let history = Asymptotic::new().history(&Case::from_amplitude(1.03, 2.0, 0.92).unwrap()).unwrap();
     let tau_ch = history.chattering_time.unwrap();
     assert!((tau_ch.value / FRAC_PI_2 - 0.70298).abs() < 5e-6, "{tau_ch:?}");
     assert!((tau_ch.value - 1.125947676933812).abs() < tau_ch.uncertainty);
@@ -49,7 +49,7 @@ fn the_papers_example_comes_to_rest_at_0_70298_of_half_a_period() {
 fn impacts_tend_to_those_of_eq_4() {
     for (omega, eta) in [(0.5, 0.6), (2.0, 0.92), (7.0, 0.8)] {
         let errors = |epsilon: f64| -> Vec<f64> {
-            let history = Asymptotic.history(&Case::from_epsilon(epsilon, omega, eta).unwrap()).unwrap();
+            let history = Asymptotic::new().history(&Case::from_epsilon(epsilon, omega, eta).unwrap()).unwrap();
             let (truth, _) = exact::impacts(epsilon, omega, eta, 20);
             let pairs = history.impacts.iter().zip(&truth);
             pairs
@@ -70,8 +70,11 @@ fn impacts_tend_to_those_of_eq_4() {
 #[test]
 fn the_chattering_time_is_wrong_by_2_2_epsilon() {
     let error = |epsilon: f64| {
-        let estimate =
-            Asymptotic.history(&Case::from_epsilon(epsilon, 2.0, 0.92).unwrap()).unwrap().chattering_time.unwrap();
+        let estimate = Asymptotic::new()
+            .history(&Case::from_epsilon(epsilon, 2.0, 0.92).unwrap())
+            .unwrap()
+            .chattering_time
+            .unwrap();
         estimate.value / exact::chattering_time(epsilon, 2.0, 0.92).unwrap() - 1.0
     };
     for epsilon in [1e-4, 1e-5, 1e-6] {
@@ -84,19 +87,19 @@ fn the_chattering_time_is_wrong_by_2_2_epsilon() {
 #[test]
 fn it_ends_and_declines_as_the_contract_says() {
     let case = Case::from_amplitude(1.02, 2.0, 0.92).unwrap();
-    let until = |time| Asymptotic.history(&case.with_horizon(Horizon::Until(time)).unwrap()).unwrap();
+    let until = |time| Asymptotic::new().history(&case.with_horizon(Horizon::Until(time)).unwrap()).unwrap();
     assert_eq!(until(10.0).ending, Ending::AtRest);
     let early = until(0.6);
     assert_eq!(early.ending, Ending::LimitReached(Limit::Time));
     assert!(early.impacts.last().unwrap().time <= 0.6 && early.impacts.len() < 60);
-    assert_eq!(Asymptotic.history(&case.with_max_impacts(7).unwrap()).unwrap().impacts.len(), 7);
+    assert_eq!(Asymptotic::new().history(&case.with_max_impacts(7).unwrap()).unwrap().impacts.len(), 7);
 
     for a in [0.5, 1.0] {
-        let history = Asymptotic.history(&Case::from_amplitude(a, 2.0, 0.92).unwrap()).unwrap();
+        let history = Asymptotic::new().history(&Case::from_amplitude(a, 2.0, 0.92).unwrap()).unwrap();
         assert_eq!((history.ending, history.impacts.len()), (Ending::NeverRocks, 0));
     }
     let reason =
-        |a, omega, eta| Asymptotic.history(&Case::from_amplitude(a, omega, eta).unwrap()).unwrap_err().reason();
+        |a, omega, eta| Asymptotic::new().history(&Case::from_amplitude(a, omega, eta).unwrap()).unwrap_err().reason();
     assert_eq!(reason(1.05, 2.0, 0.92), "not convergent");
     assert_eq!(reason(1.0001, 0.01, 0.92), "not convergent");
     assert_eq!(reason(1e9, 2.0, 0.92), "not convergent");
@@ -108,7 +111,7 @@ fn it_declines_or_answers_but_does_not_panic_at_the_corners() {
     for epsilon in [f64::MIN_POSITIVE, 1e-200, 1e-16, 1.0] {
         for omega in [f64::MIN_POSITIVE, 1e-100, 1.0, 1e300] {
             for eta in [f64::MIN_POSITIVE, 0.5, 0.99, 1.0 - f64::EPSILON] {
-                if let Ok(history) = Asymptotic.history(&Case::from_epsilon(epsilon, omega, eta).unwrap()) {
+                if let Ok(history) = Asymptotic::new().history(&Case::from_epsilon(epsilon, omega, eta).unwrap()) {
                     assert!(history.impacts.iter().all(|i| i.time > 0.0 && i.interval > 0.0 && i.velocity != 0.0));
                     assert!(
                         history.impacts.iter().all(|i| i.uncertainty.interval > 0.0 && i.uncertainty.interval < 10.0)

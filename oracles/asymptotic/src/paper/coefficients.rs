@@ -1,4 +1,4 @@
-use crate::flights::{Flights, Interval};
+use super::flights::{Flights, Interval};
 
 /// The whole of the paper's Eq. 65 for one coefficient of restitution: `ω τ_ch ~ x ε^(1/2) + u ε^(3/2)`, for every `ω` and `ε`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 use std::f64::consts::SQRT_2;
 
+use super::even_flight;
 use crate::compensated::Compensated;
-use crate::even_flight;
 
 /// The iterative procedure of the paper's section 3.3 (Steps 1-3), flight after flight, in variables that are free of `ω` and `ε`:
 /// time `τ_n = (x ε^(1/2) + u ε^(3/2))/ω`, velocity `φ'_n = v ε^(3/2)/ω`.

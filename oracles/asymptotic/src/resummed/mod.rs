@@ -1,0 +1,111 @@
+use std::f64::consts::PI;
+
+use contract::{Decline, Estimate};
+use twofloat::TwoFloat;
+
+mod exponent;
+mod power;
+mod sum;
+
+pub use exponent::exponent_of_coefficients;
+use power::Power;
+use sum::Sum;
+
+use crate::expansion::Expansion;
+use crate::number::{Number, real};
+use crate::series::Series;
+use crate::singularity::{precise_approach, ratios};
+
+/// The series summed with what is known of its singularity, up to the critical amplitude.
+///
+/// The chattering time itself has a branch point at `ε_c = a_cr - 1`, `1 - τ_ch/(T/2) ~ (ε_c - ε)^β`, so that its series converges there like
+/// `Σ k^-(1+β)`. The function `H = (1 - (τ_ch/(T/2))²)^(1/β)` has a simple zero instead, and behind it only the weaker powers
+/// `(ε_c - ε)^s` with `s = 1 + jβ + l`, and `1 ± 2πi/ln μ` and so on from the factor that is periodic in the logarithm (see [`Approach`]
+/// (crate::Approach)). Its last coefficients tell how much there is of each. What they leave is summed as it stands. Where `H` vanishes is the
+/// critical amplitude.
+#[derive(Debug, Clone)]
+pub struct Resummed {
+    omega: f64,
+    exponent: f64,
+    best: Sum,
+    /// Sums that know less, from which the error is estimated.
+    poorer: Vec<Sum>,
+}
+
+/// How many terms of the series the resummation takes.
+pub const RESUMMED_TERMS: usize = Expansion::MOST_TERMS;
+/// Fewer terms have no tail to fit.
+const FEWEST_TERMS: usize = 16;
+
+impl Resummed {
+    /// From the coefficients of the series.
+    ///
+    /// # Errors
+    /// With fewer than 16 terms, or where the tail of the coefficients is not that of such a singularity.
+    pub fn new(expansion: &Expansion) -> Result<Self, Decline> {
+        let terms = expansion.coefficients().len();
+        if terms < FEWEST_TERMS {
+            return Err(Decline::OutOfRange { field: "order", value: terms as f64, allowed: "16 or more to resum" });
+        }
+        let (exponent, log_period) = precise_approach::<TwoFloat>(expansion.eta());
+        let series = power_of_what_is_left(expansion.precise(), exponent);
+        let guess = ratios(expansion.coefficients(), exponent.rounded()).last().map_or(f64::NAN, |ratio| ratio.biased);
+        let powers = Power::all(exponent, log_period, expansion.eta());
+        let sum = |series: &Series<TwoFloat>, powers: &[Power]| {
+            Sum::new(series, powers, guess).ok_or_else(|| Decline::NotConvergent {
+                why: format!(
+                    "the coefficients of the series at omega = {}, eta = {} do not end in a power law",
+                    expansion.omega(),
+                    expansion.eta()
+                ),
+            })
+        };
+        let fewer: Vec<Power> = powers.iter().copied().skip(1).collect();
+        let shorter = series.with_terms(series.terms() - terms / 8);
+        Ok(Self {
+            omega: expansion.omega(),
+            exponent: exponent.rounded(),
+            best: sum(&series, &powers)?,
+            poorer: vec![sum(&series, &fewer)?, sum(&shorter, &powers)?],
+        })
+    }
+
+    /// `a_cr - 1`: where the chattering time reaches `T/2`.
+    pub fn critical_epsilon(&self) -> Estimate {
+        let value = self.best.critical.rounded();
+        let changes = self.poorer.iter().map(|sum| (sum.critical.rounded() - value).abs());
+        Estimate { value, uncertainty: SAFETY * changes.fold(0.0, f64::max) + 1e-15 * value }
+    }
+
+    /// The chattering time at `epsilon`, or `None` at and past the critical amplitude as far as the resummation knows it.
+    pub fn chattering_time(&self, epsilon: f64) -> Option<Estimate> {
+        let best = self.best.at(epsilon);
+        // Past the critical amplitude of one of the sums, where that is not a number, it is as if that were any distance away.
+        let changes = self.poorer.iter().map(|sum| (sum.at(epsilon) - best).abs());
+        let largest = changes.map(|change| if change.is_nan() { f64::INFINITY } else { change }).fold(0.0, f64::max);
+        let uncertainty = SAFETY * largest + ROUNDING;
+        // The negation takes NaN as well.
+        if !(best > uncertainty && best < 1.0) {
+            return None;
+        }
+        let half_period = PI / self.omega;
+        // τ_ch/(T/2) = (1 - H^β)^(1/2)
+        let fraction = |h: f64| (1.0 - h.min(1.0).powf(self.exponent)).sqrt();
+        let value = fraction(best);
+        let off = (fraction(best - uncertainty) - value).max(value - fraction(best + uncertainty));
+        Some(Estimate { value: half_period * value, uncertainty: half_period * (off + f64::EPSILON * value) })
+    }
+}
+
+/// The largest error met in a calibration (`tests/resummed.rs`) was as much as the difference between the sums.
+const SAFETY: f64 = 4.0;
+/// Of `H`, which is 1 at `ε = 0`.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// `H = (1 - z/π²)^(1/β)` with `z = (ω τ_ch)² = ε (c₀ + c₁ ε + ...)²`.
+fn power_of_what_is_left(coefficients: &Series<TwoFloat>, exponent: TwoFloat) -> Series<TwoFloat> {
+    let pi = twofloat::consts::PI;
+    let squared = coefficients.times(coefficients).with_terms(coefficients.terms() + 1).shifted();
+    let one = Series::constant(real(1.0), squared.terms());
+    one.minus(&squared.scaled(real::<TwoFloat>(1.0).over(pi * pi))).power(real::<TwoFloat>(1.0).over(exponent))
+}

@@ -1,0 +1,113 @@
+//! The series to any order: its coefficients, what it claims, and where it declines.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
+#![allow(clippy::excessive_precision)] // The references are given with more digits than a double has.
+
+mod exact;
+
+use asymptotic::{Asymptotic, Expansion, Order, coefficients};
+use contract::{Case, Ending, Oracle};
+
+fn of_order(terms: usize) -> Asymptotic {
+    Asymptotic::new().with_order(Order::Terms(terms)).unwrap()
+}
+
+/// A prototype in another language, and the enclosure.
+#[test]
+fn the_known_coefficients_and_the_known_value() {
+    let expansion = Expansion::new(2.0, 0.92, 40, 0).unwrap();
+    let known = [10.82745, 40.03021, 503.4466, 7945.463, 142977.1];
+    for (coefficient, known) in expansion.coefficients().iter().zip(known) {
+        assert!((coefficient.value / known - 1.0).abs() < 5e-7, "{coefficient:?} is not {known}");
+    }
+    let time = expansion.chattering_time(12, 1.001 - 1.0).unwrap().value;
+    assert!((time / 0.17183800443567367494 - 1.0).abs() < 4e-16, "{time:?}");
+}
+
+/// The first coefficient is that of Eq. 65, computed by another recursion; and all are positive, as far as they were ever looked at.
+#[test]
+fn coefficients_begin_with_the_papers_and_are_positive_and_precise() {
+    for (omega, eta) in [(0.5, 0.5), (8.0, 0.5), (1.0, 0.7), (2.0, 0.92), (0.5, 0.97), (2.0, 0.98)] {
+        let expansion = Expansion::new(omega, eta, 40, 0).unwrap();
+        let all = expansion.coefficients();
+        assert!((all[0].value / coefficients(eta).unwrap().x - 1.0).abs() < 4e-16, "{omega} {eta}");
+        for coefficient in all {
+            assert!(coefficient.value > 0.0, "{omega} {eta} {coefficient:?}");
+            assert!(coefficient.error < 1.4e-16 * coefficient.value, "{omega} {eta} {coefficient:?}");
+        }
+    }
+}
+
+/// Against exact stepping: the error falls as the power of `ε` that the order says, for the chattering time and for impacts of both kinds.
+#[test]
+fn errors_fall_with_the_order() {
+    let (omega, eta) = (1.5, 0.8);
+    for order in 1..=4 {
+        let errors = |epsilon: f64| -> Vec<f64> {
+            let history = of_order(order).history(&Case::from_epsilon(epsilon, omega, eta).unwrap()).unwrap();
+            let (truth, _) = exact::impacts(epsilon, omega, eta, 12);
+            let whole = history.chattering_time.unwrap().value / exact::chattering_time(epsilon, omega, eta).unwrap();
+            let each = history.impacts.iter().zip(&truth).map(|(a, b)| a.time / b.time);
+            // To the lowest order odd flights take no time, and one term of theirs is kept all the same.
+            each.skip(if order == 1 { 12 } else { 0 }).chain([whole]).map(|ratio| (ratio - 1.0).abs()).collect()
+        };
+        let (large, small) = (4e-3_f64, 2e-3_f64);
+        for (n, (large, small)) in errors(large).into_iter().zip(errors(small)).enumerate() {
+            if small > 1e-12 {
+                let slope = (large / small).log2();
+                assert!((slope - order as f64).abs() < 0.35, "order {order}, impact {}: {slope}", n + 1);
+            }
+        }
+    }
+}
+
+/// Error over claim of the chattering time, at orders from 1 to 48, from the threshold to the critical amplitude; never above 1, and not far below.
+#[test]
+fn the_claims_cover_the_errors_and_are_near_them() {
+    let mut ratios = Vec::new();
+    for (omega, eta) in [(0.5, 0.5), (8.0, 0.5), (1.0, 0.7), (3.0, 0.85), (2.0, 0.92), (0.7, 0.97)] {
+        let critical = exact::critical(omega, eta);
+        for order in [1, 2, 3, 4, 6, 8, 16, 32, 48] {
+            let expansion = Expansion::new(omega, eta, order + 4, 0).unwrap();
+            for share in [0.01, 0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99] {
+                let epsilon = share * critical;
+                let truth = exact::chattering_time(epsilon, omega, eta).unwrap();
+                let Some(estimate) = expansion.chattering_time(order, epsilon) else { continue };
+                let (error, claim) = ((estimate.value - truth).abs(), estimate.uncertainty);
+                if claim > 1e-11 * truth {
+                    ratios.push(error / claim);
+                    assert!(error < claim, "order {order} at {share} of {omega} {eta}: {error:e} of {claim:e}");
+                }
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let (largest, median) = (ratios[ratios.len() - 1], ratios[ratios.len() / 2]);
+    println!("error over claim: largest {largest}, median {median}, of {}", ratios.len());
+    assert!(ratios.len() > 200 && median > 0.5, "of {}: median {median}", ratios.len());
+}
+
+#[test]
+fn it_declines_where_it_claims_more_than_was_asked_and_past_the_critical_amplitude() {
+    let case = |a: f64| Case::from_amplitude(a, 2.0, 0.92).unwrap();
+    let asked = |tolerance: f64, a: f64| of_order(8).with_tolerance(tolerance).unwrap().history(&case(a));
+    assert!(asked(1e-9, 1.003).is_ok());
+    let why = asked(1e-9, 1.02).unwrap_err().to_string();
+    assert!(why.contains("at most 1.0e-9 is accepted"), "{why}");
+    for order in [1, 2, 4, 8, 16, 32, 64] {
+        for a in [1.0381, 1.04, 1.1, 2.0, 1e6] {
+            assert!(of_order(order).history(&case(a)).is_err(), "order {order} at {a}");
+        }
+    }
+    for tolerance in [0.0, -1.0, 0.6, f64::NAN] {
+        assert!(Asymptotic::new().with_tolerance(tolerance).is_err());
+    }
+    for terms in [0, 93, usize::MAX] {
+        assert!(Asymptotic::new().with_order(Order::Terms(terms)).is_err());
+    }
+    for (omega, eta) in [(0.01, 0.9), (1e6, 0.9), (2.0, 0.001), (2.0, 0.995)] {
+        let case = Case::from_epsilon(1e-6, omega, eta).unwrap();
+        assert_eq!(of_order(4).history(&case).unwrap_err().reason(), "out of range", "{omega} {eta}");
+    }
+    let history = of_order(8).history(&case(1.0)).unwrap();
+    assert_eq!(history.ending, Ending::NeverRocks);
+}

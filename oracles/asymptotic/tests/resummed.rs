@@ -1,0 +1,115 @@
+//! The resummed series, up to the critical amplitude.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
+
+mod exact;
+
+use asymptotic::{
+    Asymptotic, Expansion, Order, RESUMMED_TERMS, Resummed, approach, coefficients, exponent_of_coefficients, ratios,
+};
+use contract::{Case, Oracle};
+
+fn resummed(omega: f64, eta: f64, terms: usize) -> Resummed {
+    Resummed::new(&Expansion::new(omega, eta, terms, 0).unwrap()).unwrap()
+}
+
+/// `ω`, `η` and `a_cr - 1` of the certified table.
+fn certified() -> Vec<(f64, f64, f64)> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/reference/critical_amplitudes.csv");
+    let table = std::fs::read_to_string(path).unwrap();
+    let rows = table.lines().skip(1).map(|line| {
+        let fields: Vec<&str> = line.split(',').collect();
+        // The leading 1 is taken off before the rounding to a double.
+        let epsilon = fields[2].replacen("1.", "0.", 1).parse().unwrap();
+        (fields[0].parse().unwrap(), fields[1].parse().unwrap(), epsilon)
+    });
+    rows.collect()
+}
+
+#[test]
+fn the_critical_amplitude_from_the_coefficients_alone() {
+    for (omega, eta, critical) in certified() {
+        for (terms, most) in [(30, 1e-4), (RESUMMED_TERMS, 1.2e-5)] {
+            let estimate = resummed(omega, eta, terms).critical_epsilon();
+            let error = (estimate.value - critical).abs();
+            println!("{omega} {eta} {terms}: {:e} of {:e}", error / critical, estimate.uncertainty / critical);
+            assert!(error < most * critical, "{omega} {eta}, {terms} terms: {:e}", error / critical);
+            assert!(
+                error < estimate.uncertainty,
+                "{omega} {eta}, {terms} terms: {:e} claims {:e}",
+                error,
+                estimate.uncertainty
+            );
+        }
+        let expansion = Expansion::new(omega, eta, 60, 0).unwrap();
+        let last = *ratios(expansion.coefficients(), approach(eta).exponent).last().unwrap();
+        assert!((last.biased / critical - 1.0).abs() < 1e-2 && 1.0 / last.ratio > critical, "{last:?}");
+    }
+}
+
+#[test]
+fn it_holds_up_to_the_critical_amplitude() {
+    for (omega, eta, critical) in certified() {
+        let resummed = resummed(omega, eta, RESUMMED_TERMS);
+        for (share, most) in [(0.5, 1e-10), (0.9, 1e-10), (0.99, 2.5e-6), (0.999, 1e-4)] {
+            let epsilon = share * critical;
+            let truth = exact::chattering_time(epsilon, omega, eta).unwrap();
+            let estimate = resummed.chattering_time(epsilon).unwrap();
+            let error = (estimate.value - truth).abs();
+            println!("{omega} {eta} at {share}: {:e} of {:e}", error / truth, estimate.uncertainty / truth);
+            assert!(error < most * truth, "{omega} {eta} at {share}: {:e}", error / truth);
+            assert!(
+                error < estimate.uncertainty.max(1e-12 * truth),
+                "{omega} {eta} at {share}: {:e} claims {:e}",
+                error,
+                estimate.uncertainty
+            );
+        }
+        assert_eq!(resummed.chattering_time(1.001 * critical), None);
+        assert_eq!(resummed.chattering_time(10.0 * critical), None);
+    }
+}
+
+#[test]
+fn where_the_papers_series_is_off_by_15_percent() {
+    let (omega, eta, critical) = *certified().iter().find(|row| (row.0, row.1) == (2.0, 0.92)).unwrap();
+    let paper = coefficients(eta).unwrap();
+    for (share, of_paper, most) in [(0.99, 0.12, 1e-6), (0.999, 0.15, 1e-4)] {
+        let epsilon = share * critical;
+        let truth = exact::chattering_time(epsilon, omega, eta).unwrap();
+        let by_paper = (paper.x + paper.u * epsilon) * epsilon.sqrt() / omega;
+        assert!((1.0 - by_paper / truth - of_paper).abs() < 0.03, "{}", 1.0 - by_paper / truth);
+        let oracle = Asymptotic::new().with_order(Order::Resummed).unwrap();
+        let history = oracle.history(&Case::from_epsilon(epsilon, omega, eta).unwrap()).unwrap();
+        let error = history.chattering_time.unwrap().value / truth - 1.0;
+        assert!(error.abs() < most, "{error:e} at {share}");
+    }
+}
+
+#[test]
+fn the_exponent_is_that_of_the_bounce_that_repeats_itself() {
+    for (eta, exponent) in [(0.5, 0.61164202947), (0.7, 0.603208061465), (0.8, 0.601267147722), (0.92, 0.600177835493)]
+    {
+        assert!((approach(eta).exponent - exponent).abs() < 1e-11, "{eta}: {}", approach(eta).exponent);
+    }
+    assert!((approach(0.9999).exponent - 0.6).abs() < 1e-6);
+    assert!((approach(0.5).log_period - 1.3470873).abs() < 1e-7);
+}
+
+#[test]
+fn too_few_terms_are_refused() {
+    assert!(Resummed::new(&Expansion::new(2.0, 0.92, 15, 0).unwrap()).is_err());
+}
+
+#[test]
+fn the_exponent_from_the_coefficients_is_that_of_the_formula() {
+    for (omega, eta, critical) in certified() {
+        let expansion = Expansion::new(omega, eta, RESUMMED_TERMS, 0).unwrap();
+        let estimate = exponent_of_coefficients(&expansion, critical).unwrap();
+        let error = (estimate.value - approach(eta).exponent).abs();
+        println!("{omega} {eta}: exponent {} off by {error:e} of {:e}", estimate.value, estimate.uncertainty);
+        assert!(error < estimate.uncertainty, "{omega} {eta}: {error:e} claims {:e}", estimate.uncertainty);
+        if (0.6..0.95).contains(&eta) && omega > 1.0 {
+            assert!(error < 5e-4, "{omega} {eta}: {error:e}");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Charts as SVG, drawn from CSV files that were already written: what a chart shows and what a test asserts are the same rows.
+//!
+//! [`Table`] reads the file; [`LineChart`] and [`HeatMap`] are descriptions that [`LineChart::svg`] and [`HeatMap::svg`] draw. Nothing
+//! is measured or computed here. The same description gives the same SVG, byte for byte.
+//!
+//! What went wrong stays visible: an empty number is a failure, drawn as a cross above the axes or as a hatched cell, never left out.
+//!
+//! Every text may hold subscripts, `a_{cr}`, and no-break spaces where a line must not end.
+//!
+//! ```
+//! use chattercheck::chart::{Axis, LineChart, Mark, Panel, Table};
+//!
+//! # fn main() -> Result<(), chattercheck::chart::Error> {
+//! let csv = "eta,method,a,error\n0.9,exact,1.01,1e-16\n0.9,exact,1.02,2e-16\n0.9,series,1.01,1e-3\n0.9,series,1.02,\n";
+//! let table = Table::from_reader("errors.csv", csv.as_bytes())?;
+//! let mut panels = Vec::new();
+//! for (eta, rows) in table.groups("eta")? {
+//!     let panel = Panel::new(format!("η = {eta}"), rows.series("method", "a", "error")?);
+//!     panels.push(panel.with_marks(vec![Mark::at(1.038, "a_{cr}")]));
+//! }
+//! let chart = LineChart {
+//!     title: "Error of the chattering time".into(),
+//!     caption: "Crosses: the series does not converge.".into(),
+//!     x: Axis::linear("a"),
+//!     y: Axis::log("relative error of τ_{ch}/(T/2)"),
+//!     columns: 3,
+//!     missing: "declined".into(),
+//!     panels,
+//! };
+//! assert!(chart.svg()?.starts_with("<svg"));
+//! # Ok(())
+//! # }
+//! ```
+
+mod axis;
+mod canvas;
+mod caption;
+mod colour_bar;
+mod colour_map;
+mod error;
+mod geometry;
+mod heat;
+mod legend;
+mod lines;
+mod mark;
+mod number;
+mod palette;
+mod series;
+mod sheet;
+mod stroke;
+mod table;
+mod text;
+mod ticks;
+
+pub use axis::{Axis, Scale};
+pub use error::Error;
+pub use heat::{Cell, HeatMap, HeatPanel};
+pub use lines::{LineChart, Panel};
+pub use mark::Mark;
+pub use series::{Draw, Point, Series};
+pub use table::Table;
