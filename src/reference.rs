@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    critical::{self, Term},
     generate::Generator,
     panel::{self, Bounds},
 };
@@ -198,4 +199,16 @@ pub fn critical_amplitudes(done: impl Fn() + Sync) -> Result<Vec<CriticalRow>, D
         Ok(CriticalRow { omega, eta, complete, incomplete, exponent: critical.exponent })
     });
     rows.collect()
+}
+
+/// Computes the polynomial that interpolates the critical amplitude, from values of the closed form. `done` is called after each of them.
+///
+/// # Errors
+/// When the closed form has no critical amplitude at a node.
+pub fn critical_interpolant(done: impl Fn() + Sync) -> Result<Vec<Term>, Decline> {
+    let not_found = |why: String| Decline::NotConvergent { why };
+    let stepper = panel::select("closed-form").map_err(|invalid| not_found(invalid.to_string()))?;
+    let terms = stepper.first().map(|stepper| critical::terms(stepper.as_ref(), done)).transpose();
+    let terms = terms.map_err(|invalid| not_found(invalid.to_string()))?;
+    terms.flatten().ok_or_else(|| not_found("no critical amplitude at a node".to_owned()))
 }

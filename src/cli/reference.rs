@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::Verdict;
 
-/// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; certified critical amplitudes
+/// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; critical amplitudes,
+/// certified ones and an interpolant
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Where the tables go
@@ -22,6 +23,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let (proven_impacts, proven_times) =
         reference::proven_tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     let critical = reference::critical_amplitudes(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
+    let interpolant = reference::critical_interpolant(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     write(&folder.join("linear_impacts.csv"), &impacts)?;
@@ -29,6 +31,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     write(&folder.join("proven_impacts.csv"), &proven_impacts)?;
     write(&folder.join("proven_chattering_times.csv"), &proven_times)?;
     write(&folder.join("critical_amplitudes.csv"), &critical)?;
+    write(&folder.join("critical_interpolant.csv"), &interpolant)?;
     Ok(Verdict::Well)
 }
 
