@@ -16,6 +16,7 @@ pub mod compare;
 pub mod conditioning;
 pub mod confirm;
 pub mod critical;
+pub mod diagnose;
 pub mod examine;
 pub mod faults;
 pub mod generate;

@@ -1,7 +1,10 @@
 //! The panel of oracles: the only file that names them all. To add a method, add its crate and a line here.
 
 use asymptotic::Asymptotic;
-pub use asymptotic::{Approach, Order, approach};
+pub use asymptotic::{
+    Alternative, Approach, Expansion, Order, RESUMMED_TERMS, Resummed, approach, coefficients,
+    exponent_of_coefficients, ratios, scaled_tail,
+};
 use closed_form::ClosedForm;
 use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
@@ -62,6 +65,11 @@ pub fn all() -> Panel {
         panel.push(Box::new(Ode::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
     }
     panel
+}
+
+/// The oracle that steps fastest and to nearly all digits, for truths of which many are needed.
+pub fn stepper() -> Box<dyn Oracle> {
+    Box::new(ClosedForm)
 }
 
 /// The oracle with many digits by itself, for what only it can do.

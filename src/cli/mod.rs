@@ -4,6 +4,7 @@ mod case_flags;
 mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
+mod diagnose;
 mod oracles;
 mod output;
 mod reference;
@@ -38,6 +39,7 @@ enum Command {
     Reference(reference::Arguments),
     Tolerances(tolerances::Arguments),
     DetectionFloor(detection_floor::Arguments),
+    Diagnose(diagnose::Arguments),
 }
 
 /// What a command that ran came to.
@@ -64,6 +66,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Reference(arguments) => reference::run(&arguments),
         Command::Tolerances(arguments) => tolerances::run(&arguments),
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
+        Command::Diagnose(arguments) => diagnose::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

@@ -8,5 +8,5 @@ mod fits;
 mod interpolant;
 
 pub use bracket::bracket;
-pub use fits::{eq76, eq77, fit, fit_of_eta};
+pub use fits::{eq76, eq77, fit, short_fit};
 pub use interpolant::{INTERPOLATION_ERROR, Term, interpolated, terms};

@@ -75,6 +75,13 @@ impl Expansion {
         })
     }
 
+    /// The same with the first `terms` terms only, without the impacts; `None` if it has not so many.
+    pub fn shortened(&self, terms: usize) -> Option<Self> {
+        let coefficients = self.coefficients.get(..terms)?.to_vec();
+        let precise = self.precise.with_terms(terms);
+        Some(Self { omega: self.omega, eta: self.eta, precise, coefficients, impacts: Vec::new() })
+    }
+
     /// The frequency ratio `ω`.
     pub fn omega(&self) -> f64 {
         self.omega
@@ -93,6 +100,12 @@ impl Expansion {
     /// The same in the precision that they were computed in.
     pub(crate) fn precise(&self) -> &Series<TwoFloat> {
         &self.precise
+    }
+
+    /// The chattering time from the first `order` terms at `epsilon`, whatever it is worth there.
+    pub fn partial_sum(&self, order: usize, epsilon: f64) -> f64 {
+        let terms = self.coefficients.iter().take(order);
+        terms.rev().fold(0.0, |sum, coefficient| sum * epsilon + coefficient.value) * epsilon.sqrt() / self.omega
     }
 
     /// The chattering time from the first `order` terms at `epsilon`; `None` outside of the circle of convergence, as far as the coefficients

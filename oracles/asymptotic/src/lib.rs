@@ -42,5 +42,5 @@ mod truncated;
 pub use expansion::{Coefficient, Expansion};
 pub use oracle::{Asymptotic, MOST_ORDER, Order};
 pub use paper::{Coefficients, coefficients};
-pub use resummed::{RESUMMED_TERMS, Resummed, exponent_of_coefficients};
+pub use resummed::{Alternative, RESUMMED_TERMS, Resummed, exponent_of_coefficients, scaled_tail};
 pub use singularity::{Approach, Ratio, approach, ratios};

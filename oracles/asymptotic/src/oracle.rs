@@ -96,12 +96,8 @@ impl Oracle for Asymptotic {
             Order::Resummed => {
                 let expansion = Expansion::new(case.omega(), case.eta(), RESUMMED_TERMS, most_impacts(case)?)?;
                 let order = RESUMMED_TERMS - BEYOND;
-                let truncated = expansion.chattering_time(order, case.epsilon());
-                let resummed = Resummed::new(&expansion)?.chattering_time(case.epsilon());
-                // Far from the critical amplitude nothing is left to be resummed, and the plain sum rounds less.
-                let better =
-                    resummed.into_iter().chain(truncated).min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty));
-                self.sum(case, &expansion, order, better)
+                let time = Resummed::new(&expansion)?.chattering_time(case.epsilon());
+                self.sum(case, &expansion, order, time)
             }
         }
     }

@@ -3,10 +3,12 @@ use std::f64::consts::PI;
 use contract::{Decline, Estimate};
 use twofloat::TwoFloat;
 
+mod alternatives;
 mod exponent;
 mod power;
 mod sum;
 
+pub use alternatives::Alternative;
 pub use exponent::exponent_of_coefficients;
 use power::Power;
 use sum::Sum;
@@ -15,6 +17,7 @@ use crate::expansion::Expansion;
 use crate::number::{Number, real};
 use crate::series::Series;
 use crate::singularity::{precise_approach, ratios};
+use crate::truncated::BEYOND;
 
 /// The series summed with what is known of its singularity, up to the critical amplitude.
 ///
@@ -25,6 +28,8 @@ use crate::singularity::{precise_approach, ratios};
 /// critical amplitude.
 #[derive(Debug, Clone)]
 pub struct Resummed {
+    /// For the plain sum.
+    expansion: Expansion,
     omega: f64,
     exponent: f64,
     best: Sum,
@@ -63,6 +68,7 @@ impl Resummed {
         let fewer: Vec<Power> = powers.iter().copied().skip(1).collect();
         let shorter = series.with_terms(series.terms() - terms / 8);
         Ok(Self {
+            expansion: expansion.clone(),
             omega: expansion.omega(),
             exponent: exponent.rounded(),
             best: sum(&series, &powers)?,
@@ -78,7 +84,19 @@ impl Resummed {
     }
 
     /// The chattering time at `epsilon`, or `None` at and past the critical amplitude as far as the resummation knows it.
+    ///
+    /// Far from the critical amplitude, where nothing is left to be resummed and the plain sum rounds less, it is that: whichever claims less.
     pub fn chattering_time(&self, epsilon: f64) -> Option<Estimate> {
+        let resummed = self.resummed(epsilon);
+        if resummed.is_none() && epsilon > 0.5 * self.best.critical.rounded() {
+            return None;
+        }
+        let order = self.expansion.coefficients().len() - BEYOND;
+        let sums = resummed.into_iter().chain(self.expansion.chattering_time(order, epsilon));
+        sums.min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty))
+    }
+
+    fn resummed(&self, epsilon: f64) -> Option<Estimate> {
         let best = self.best.at(epsilon);
         // Past the critical amplitude of one of the sums, where that is not a number, it is as if that were any distance away.
         let changes = self.poorer.iter().map(|sum| (sum.at(epsilon) - best).abs());
@@ -108,4 +126,17 @@ fn power_of_what_is_left(coefficients: &Series<TwoFloat>, exponent: TwoFloat) ->
     let squared = coefficients.times(coefficients).with_terms(coefficients.terms() + 1).shifted();
     let one = Series::constant(real(1.0), squared.terms());
     one.minus(&squared.scaled(real::<TwoFloat>(1.0).over(pi * pi))).power(real::<TwoFloat>(1.0).over(exponent))
+}
+
+/// The coefficients of `H` times `ε_c^k k^(2+β)`, from `k = 1`: flat in the end but for what is periodic in `ln k`, with the period `ln μ`.
+///
+/// Of a singularity `(ε_c - ε)^(1+β)` the coefficients fall as `k^-(2+β)`, of one with the exponent `1 ± 2πi/ln μ` as `k^-2` times
+/// `cos(2π ln k/ln μ)`: so this is where the periodic factor of the approach shows, though it is small in the chattering time itself.
+pub fn scaled_tail(expansion: &Expansion, critical_epsilon: f64) -> Vec<f64> {
+    let (exponent, _) = precise_approach::<TwoFloat>(expansion.eta());
+    let series = power_of_what_is_left(expansion.precise(), exponent);
+    let scale = |k: usize| (k as f64).powf(2.0 + exponent.rounded());
+    let terms = series.0.iter().enumerate().skip(1);
+    let power = |k: usize| (k as f64 * critical_epsilon.ln()).exp();
+    terms.map(|(k, term)| term.rounded() * power(k) * scale(k)).collect()
 }

@@ -12,7 +12,7 @@ pub(super) enum Power {
 }
 
 /// Measured: above it the coefficients say nothing of the periodic factor that is not lost among the other powers.
-const PERIODIC_BELOW: f64 = 0.75;
+const PERIODIC_BELOW: f64 = 0.78;
 
 impl Power {
     /// The singularities of `H` behind its zero, the weakest first: `1 + jβ + l`, and as `η` falls the periodic factor shows, and needs its

@@ -1,0 +1,70 @@
+use std::{fs, path::PathBuf};
+
+use anyhow::{Context as _, anyhow};
+use chattercheck::{
+    chart::Table,
+    diagnose::{CHARTS, Request, Tables},
+};
+use clap::Args;
+use contract::Invalid;
+
+use super::{Verdict, case_flags::number, output::print};
+
+/// Where and why the asymptotic series breaks near the critical amplitude: tables (CSV), and charts (SVG) drawn from them
+///
+/// Error against the amplitude for each order and resummed, coefficients and their ratios, where each order first errs by 1 %, the exponent
+/// of the approach measured in three ways, and the fits of the critical amplitude. About a minute.
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Where the files go
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Frequency ratio of the charts at one frequency, 0.5 to 8
+    #[arg(long, value_name = "W", default_value = "2", allow_hyphen_values = true, value_parser = number)]
+    omega: f64,
+    /// Restitutions of the charts with a panel for each, 0.5 to 0.98, separated by commas
+    #[arg(long, value_name = "E,E,...", default_value = "0.5,0.8,0.92,0.97", value_delimiter = ',', allow_hyphen_values = true, value_parser = number)]
+    eta: Vec<f64>,
+    /// How many steps each axis of the maps over omega and eta has, 1 to 200
+    #[arg(long, value_name = "N", default_value_t = 16, allow_negative_numbers = true)]
+    grid: i64,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let Arguments { out, omega, eta, grid } = arguments;
+    let request = request(*omega, eta, *grid)?;
+    let bar = indicatif::ProgressBar::new_spinner();
+    let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
+    bar.finish_and_clear();
+    fs::create_dir_all(out).with_context(|| format!("cannot make {}", out.display()))?;
+    let mut written = String::new();
+    for (name, text) in tables.files()? {
+        let path = out.join(name);
+        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
+        written += &format!("{}\n", path.display());
+    }
+    // The charts are drawn from the files, not from what made them.
+    for chart in &CHARTS {
+        let svg = (chart.draw)(&Table::read(out.join(chart.table))?)?;
+        let path = out.join(chart.name);
+        fs::write(&path, svg).with_context(|| format!("cannot write {}", path.display()))?;
+        written += &format!("{}\n", path.display());
+    }
+    print(&written)?;
+    Ok(Verdict::Well)
+}
+
+fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Request, Invalid> {
+    if !(0.5..=8.0).contains(&omega) {
+        return Err(Invalid::new("omega", omega, "0.5 to 8"));
+    }
+    if let Some(eta) = etas.iter().find(|eta| !(0.5..=0.98).contains(*eta)) {
+        return Err(Invalid::new("eta", eta, "0.5 to 0.98, separated by commas"));
+    }
+    if let Some(eta) = etas.iter().enumerate().find(|(k, eta)| etas.iter().take(*k).any(|other| other == *eta)) {
+        return Err(Invalid::new("eta", eta.1, "each restitution once"));
+    }
+    let steps = usize::try_from(grid).ok().filter(|grid| (1..=200).contains(grid));
+    let grid = steps.ok_or_else(|| Invalid::new("grid", grid, "1 to 200"))?;
+    Ok(Request { omega, etas: etas.to_vec(), grid })
+}
