@@ -6,7 +6,7 @@
 
 use std::{hint::black_box, time::Duration};
 
-use asymptotic::Asymptotic;
+use asymptotic::{Asymptotic, Expansion, Resummed};
 use chattercheck::observables::Observed;
 use closed_form::ClosedForm;
 use contract::{Case, History, Normalisation, Oracle, Slenderness};
@@ -85,5 +85,27 @@ fn throughput(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, throughput);
+/// The series to any order: its coefficients once for each frequency and restitution, and then a value at each amplitude.
+fn series(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("series");
+    for terms in [16, 40, 96] {
+        let expansion = || Expansion::new(2.0, 0.92, terms, 0).expect("in range");
+        let value = expansion().partial_sum(terms, 1.001 - 1.0);
+        // Proven by the enclosure.
+        assert!((value / 0.171_838_004_435_673_67 - 1.0).abs() < 1e-14, "{terms} terms: {value}");
+        group.bench_function(format!("coefficients/{terms}"), |bencher| bencher.iter(|| black_box(expansion())));
+        let known = expansion();
+        group.bench_function(format!("value/{terms}"), |bencher| {
+            bencher.iter(|| black_box(&known).partial_sum(terms, black_box(0.02)))
+        });
+        if let Ok(resummed) = Resummed::new(&known) {
+            group.bench_function(format!("resummed value/{terms}"), |bencher| {
+                bencher.iter(|| black_box(&resummed).chattering_time(black_box(0.02)))
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, throughput, series);
 criterion_main!(benches);
