@@ -30,6 +30,7 @@ pub mod panel;
 pub mod reference;
 pub mod replay;
 pub mod report;
+pub mod scene;
 pub mod shrink;
 pub mod tolerance;
 pub mod verify;

@@ -1,11 +1,18 @@
 //! The flags that give one case, and the oracle to ask.
 
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use anyhow::Context as _;
 use chattercheck::{
     case_file::CaseFields,
     panel::{self, Enclosure, Settings},
+    scene::Scene,
 };
 use clap::Args;
-use contract::{Case, Invalid, Oracle};
+use contract::{Case, Horizon, Invalid, Oracle};
 
 /// A dimensionless case. Each value means the double nearest to it.
 #[derive(Args)]
@@ -14,7 +21,7 @@ pub(crate) struct CaseFlags {
     #[arg(
         long,
         value_name = "A",
-        required_unless_present = "epsilon",
+        required_unless_present_any = ["epsilon", "scene"],
         conflicts_with = "epsilon",
         allow_hyphen_values = true, value_parser = number
     )]
@@ -23,11 +30,26 @@ pub(crate) struct CaseFlags {
     #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
     epsilon: Option<f64>,
     /// Frequency ratio omega_g/p
-    #[arg(long, value_name = "W", allow_hyphen_values = true, value_parser = number)]
-    omega: f64,
+    #[arg(
+        long,
+        value_name = "W",
+        required_unless_present = "scene",
+        allow_hyphen_values = true,
+        value_parser = number
+    )]
+    omega: Option<f64>,
     /// Coefficient of restitution
-    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = number)]
-    eta: f64,
+    #[arg(
+        long,
+        value_name = "E",
+        required_unless_present = "scene",
+        allow_hyphen_values = true,
+        value_parser = number
+    )]
+    eta: Option<f64>,
+    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha"])]
+    scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model
     #[arg(long, value_name = "RAD", allow_hyphen_values = true, value_parser = number)]
     alpha: Option<f64>,
@@ -40,28 +62,43 @@ pub(crate) struct CaseFlags {
 }
 
 impl CaseFlags {
+    /// The scene, if one is given.
+    pub fn scene(&self) -> anyhow::Result<Option<Scene>> {
+        self.scene.as_deref().map(read_scene).transpose()
+    }
+
     /// The case, listing up to `impacts` impacts.
-    pub fn case(&self, impacts: usize) -> Result<Case, Invalid> {
+    pub fn case(&self, impacts: usize) -> anyhow::Result<Case> {
+        if let Some(scene) = self.scene()? {
+            let case = scene.case()?.with_max_impacts(impacts)?;
+            return Ok(self.until.map_or(Ok(case), |until| case.with_horizon(Horizon::Until(until)))?);
+        }
         let fields = CaseFields {
             a: self.a,
             epsilon: self.epsilon,
-            omega: self.omega,
-            eta: self.eta,
+            omega: self.omega.unwrap_or(f64::NAN),
+            eta: self.eta.unwrap_or(f64::NAN),
             alpha: self.alpha,
             normalisation: self.normalisation.clone(),
             impacts: Some(impacts),
             until: self.until,
         };
-        fields.case()
+        Ok(fields.case()?)
     }
+}
+
+/// A scene file.
+pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    Scene::parse(&text).with_context(|| path.display().to_string())
 }
 
 /// Which oracle to ask, and its settings.
 #[derive(Args)]
 pub(crate) struct OracleFlags {
-    /// The method; see `chattercheck oracles`
-    #[arg(long, value_name = "NAME", default_value = "closed-form")]
-    oracle: String,
+    /// The method; see `chattercheck oracles` [default: closed-form, or taylor for a scene of the nonlinear model]
+    #[arg(long, value_name = "NAME")]
+    oracle: Option<String>,
     /// For ode and enclosure: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
@@ -84,13 +121,19 @@ pub(crate) struct OracleFlags {
 
 impl OracleFlags {
     /// The oracle with proven bounds, if it is the one that is named.
-    pub fn enclosure(&self, case: &Case) -> Result<Option<Enclosure>, Invalid> {
-        panel::enclosure(&self.oracle, &self.settings(), equation(case))
+    pub fn enclosure(&self, flags: &CaseFlags, case: &Case) -> Result<Option<Enclosure>, Invalid> {
+        panel::enclosure(self.name(flags, case), &self.settings(), equation(case))
     }
 
     /// The oracle, for a case with or without slenderness.
-    pub fn oracle(&self, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
-        panel::one(&self.oracle, &self.settings(), equation(case))
+    pub fn oracle(&self, flags: &CaseFlags, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
+        panel::one(self.name(flags, case), &self.settings(), equation(case))
+    }
+
+    /// A scene names its model; the flags of a case leave that to the oracle.
+    fn name(&self, flags: &CaseFlags, case: &Case) -> &str {
+        let of_scene = flags.scene.is_some() && case.slenderness().is_some();
+        self.oracle.as_deref().unwrap_or(if of_scene { "taylor" } else { "closed-form" })
     }
 
     fn settings(&self) -> Settings<'_> {

@@ -42,6 +42,9 @@ struct Answer<'a> {
     /// See `lower`.
     #[serde(skip_serializing_if = "Option::is_none")]
     upper: Option<String>,
+    /// `tau_ch` in seconds after rocking began; only of a scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seconds: Option<f64>,
     /// `tau_ch/(T/2)`.
     half_period_fraction: Option<f64>,
     impacts: usize,
@@ -53,13 +56,13 @@ struct Answer<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
     let mut case = arguments.case.case(impacts)?;
-    match (arguments.oracle.enclosure(&case)?, arguments.digits) {
+    match (arguments.oracle.enclosure(&arguments.case, &case)?, arguments.digits) {
         (Some(enclosure), None) => return enclosed(arguments, &enclosure, &case),
         (Some(enclosure), Some(digits)) => return enclosed(arguments, &enclosure.with_digits(digits)?, &case),
         (None, Some(digits)) => return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into()),
         (None, None) => {}
     }
-    let oracle = arguments.oracle.oracle(&case)?;
+    let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
     let mut observed = ask(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     // Not told how many, take more impacts as long as they sharpen the answer and the oracle can do more.
@@ -71,7 +74,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
             Err(_) => break,
         }
     }
-    arguments.format.print(&answer(oracle.name(), &case, &observed), text)?;
+    let mut answer = answer(oracle.name(), &case, &observed);
+    answer.seconds = seconds(arguments, &answer)?;
+    arguments.format.print(&answer, text)?;
     Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
 }
 
@@ -90,8 +95,15 @@ fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow
             eprintln!("{}: proven, but wider than asked: it would have taken too long", enclosure.name());
         }
     }
+    answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
     Ok(Verdict::Well)
+}
+
+/// The chattering time of a scene in its own units.
+fn seconds(arguments: &Arguments, answer: &Answer) -> anyhow::Result<Option<f64>> {
+    let scene = arguments.case.scene()?;
+    Ok(scene.zip(answer.tau_ch).map(|(scene, time)| time / scene.block.frequency_parameter()))
 }
 
 /// Even at a relative distance of 1e-15 to the critical amplitude this many are enough.
@@ -120,6 +132,7 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         uncertainty: time.map(|time| time.uncertainty),
         lower: None,
         upper: None,
+        seconds: None,
         half_period_fraction: time.map(|time| time.value * case.omega() / std::f64::consts::PI),
         impacts: history.impacts.len(),
         oracle,
@@ -140,7 +153,8 @@ fn text(answer: &Answer) -> String {
     }
     match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
         (Some(time), Some(uncertainty), Some(fraction)) => format!(
-            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:?} T/2, complete, by {} from {} impacts, {}",
+            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:?} T/2{}, complete, by {} from {} impacts, {}",
+            answer.seconds.map_or(String::new(), |seconds| format!(" = {seconds:?} s")),
             answer.oracle,
             answer.impacts,
             answer.method.unwrap_or_default()

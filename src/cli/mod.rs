@@ -10,6 +10,7 @@ mod output;
 mod reference;
 mod replay;
 mod report_files;
+mod scene;
 mod simulate;
 mod tolerances;
 mod verify;
@@ -40,6 +41,7 @@ enum Command {
     Tolerances(tolerances::Arguments),
     DetectionFloor(detection_floor::Arguments),
     Diagnose(diagnose::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// What a command that ran came to.
@@ -67,6 +69,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Tolerances(arguments) => tolerances::run(&arguments),
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

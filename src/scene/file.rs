@@ -1,0 +1,157 @@
+//! How a scene is written in TOML. What the values mean and may be is for [`super`] to say.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use toml::Spanned;
+
+/// A rigid block on shaking ground, in physical units, and what is asked of it.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "chattercheck scene")]
+pub struct SceneFile {
+    /// What the scene is, for people.
+    pub title: Option<String>,
+    /// The block.
+    pub block: BlockFields,
+    /// The motion of the ground.
+    pub ground: GroundFields,
+    /// What is asked.
+    #[serde(default)]
+    pub ask: AskFields,
+}
+
+/// The block: its size by `half_width` and `half_height`, or by `radius` and `slenderness`.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BlockFields {
+    /// Half of the width of the base, `b`, in metres; above 0.
+    #[schemars(with = "Option<f64>")]
+    pub half_width: Option<Spanned<f64>>,
+    /// Half of the height, `h`, in metres; above 0.
+    #[schemars(with = "Option<f64>")]
+    pub half_height: Option<Spanned<f64>>,
+    /// Half of the diagonal, `R`, in metres; above 0.
+    #[schemars(with = "Option<f64>")]
+    pub radius: Option<Spanned<f64>>,
+    /// The slenderness angle `α = atan(b/h)` in radians; inside (0, π/2).
+    #[schemars(with = "Option<f64>")]
+    pub slenderness: Option<Spanned<f64>>,
+    /// The coefficient of restitution `η` of the velocity, inside (0, 1); or `"housner"`, which is `1 - 3/2 sin²α`, from the conservation of
+    /// angular momentum.
+    #[schemars(with = "Restitution")]
+    pub restitution: Spanned<Restitution>,
+    /// The acceleration of gravity in m/s²; 9.81 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub gravity: Option<Spanned<f64>>,
+}
+
+/// A number, or a rule.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Restitution {
+    /// The value.
+    Value(f64),
+    /// A rule that gives it.
+    Rule(RestitutionRule),
+}
+
+/// A rule that gives the restitution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestitutionRule {
+    /// Conservation of angular momentum about the new corner: `1 - 3/2 sin²α`.
+    Housner,
+}
+
+/// A sinusoidal acceleration of the ground, `A sin(2π f t + phase)` from `t = 0` on.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GroundFields {
+    /// The amplitude.
+    #[schemars(with = "Amplitude")]
+    pub amplitude: Spanned<Amplitude>,
+    /// The frequency.
+    #[schemars(with = "Frequency")]
+    pub frequency: Spanned<Frequency>,
+    /// The phase at `t = 0` in radians. Unless given the motion starts at the threshold, so that the block begins to rock at once.
+    #[schemars(with = "Option<f64>")]
+    pub phase: Option<Spanned<f64>>,
+    /// How long the ground moves; without end unless given.
+    #[schemars(with = "Option<Duration>")]
+    pub duration: Option<Spanned<Duration>>,
+}
+
+/// The amplitude of the ground acceleration, above 0, in one of four ways.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Amplitude {
+    /// In units of the scene's gravity.
+    G(f64),
+    /// In m/s².
+    MPerS2(f64),
+    /// Over the threshold of rocking, `g tan α` (Eq. 1): the `a` of the threshold normalisation.
+    OverThreshold(f64),
+    /// Over `g α`: the `a` of Eq. 5, of the slender normalisation.
+    OverSlenderThreshold(f64),
+}
+
+/// The frequency of the ground motion, above 0, in one of two ways.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Frequency {
+    /// In cycles a second.
+    Hz(f64),
+    /// The ratio `ω = ω_g/p` to the frequency parameter of the block.
+    Omega(f64),
+}
+
+/// How long the ground moves, in one of two ways.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Duration {
+    /// In seconds.
+    Seconds(f64),
+    /// In cycles of the ground motion.
+    Cycles(f64),
+}
+
+/// What is asked of the scene.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AskFields {
+    /// The equation of motion; `nonlinear` unless given.
+    pub model: Option<ModelName>,
+    /// What is wanted; the chattering time unless given.
+    pub what: Option<Vec<Question>>,
+    /// How many impacts are listed at the most; 60 unless given.
+    #[schemars(with = "Option<u32>")]
+    pub impacts: Option<Spanned<i64>>,
+    /// How accurately, relative; 1e-6 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub tolerance: Option<Spanned<f64>>,
+}
+
+/// An equation of motion.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModelName {
+    /// The slender block, Eq. 4.
+    Linear,
+    /// The block as it is, Eq. 2.
+    #[default]
+    Nonlinear,
+}
+
+/// Something that can be asked of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Question {
+    /// The times of the impacts.
+    ImpactTimes,
+    /// When the chattering comes to rest.
+    ChatteringTime,
+    /// The whole response.
+    Response,
+    /// When the block rests.
+    RestPeriods,
+}
