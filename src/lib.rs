@@ -8,6 +8,9 @@
 //! 3. The [`observables`] are derived from each history in the same way; [`zeno`] closes the infinite sum.
 //! 4. The [`laws`] are checked on each history, and each pair is [`compare`]d, with what the [`tolerance`] table allows ([`examine`]).
 //! 5. [`verify`] does this for all cases and makes a [`report`]; [`shrink`] and [`replay`] make something small of what failed.
+//!
+//! Beside the gate: [`diagnose`] measures where the asymptotic series breaks, [`critical`] knows the critical amplitude, [`scene`] reads blocks and
+//! ground motions in physical units, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
 pub mod case_file;
