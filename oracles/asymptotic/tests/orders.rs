@@ -111,3 +111,40 @@ fn it_declines_where_it_claims_more_than_was_asked_and_past_the_critical_amplitu
     let history = of_order(8).history(&case(1.0)).unwrap();
     assert_eq!(history.ending, Ending::NeverRocks);
 }
+
+/// As many digits as a prototype in another language found with 12 terms.
+#[test]
+fn twelve_terms_have_the_digits_that_they_should() {
+    let expansion = Expansion::new(2.0, 0.92, 16, 0).unwrap();
+    for (epsilon, digits) in [(1e-3, 15.0), (1e-2, 9.0), (3e-2, 3.0)] {
+        let truth = exact::chattering_time(epsilon, 2.0, 0.92).unwrap();
+        let error = (expansion.partial_sum(12, epsilon) / truth - 1.0).abs();
+        assert!((-error.log10() - digits).abs() < 1.0, "epsilon = {epsilon}: {error:e}");
+    }
+}
+
+/// The rotation itself enters Eq. 4 through `ε/ω²` alone, so `c_k` is a polynomial of degree `k` in `1/ω²`: its divided differences of higher
+/// order vanish. Nothing in the recursion knows of that.
+#[test]
+fn coefficients_are_polynomials_of_one_over_omega_squared() {
+    for eta in [0.5, 0.8, 0.92] {
+        let places: Vec<f64> = (0..8).map(|k| 0.1 + 0.4 * f64::from(k)).collect();
+        let values: Vec<Vec<f64>> = places
+            .iter()
+            .map(|q| {
+                let expansion = Expansion::new(q.powf(-0.5), eta, 6, 0).unwrap();
+                expansion.coefficients().iter().map(|coefficient| coefficient.value).collect()
+            })
+            .collect();
+        for k in 0..6 {
+            let mut row: Vec<f64> = values.iter().map(|of| of[k]).collect();
+            let mut sizes = vec![row.iter().fold(0.0_f64, |most, value| most.max(value.abs()))];
+            for order in 1..8 {
+                row = (0..row.len() - 1).map(|i| (row[i + 1] - row[i]) / (places[i + order] - places[i])).collect();
+                sizes.push(row.iter().fold(0.0_f64, |most, value| most.max(value.abs())));
+            }
+            assert!(sizes[k] > 1e-6 * sizes[0], "eta {eta}: c_{k} has no term of degree {k}: {sizes:?}");
+            assert!(sizes[k + 1] < 1e-10 * sizes[0], "eta {eta}: c_{k} is of higher degree than {k}: {sizes:?}");
+        }
+    }
+}
