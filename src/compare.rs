@@ -260,3 +260,6 @@ pub(crate) fn horizon(case: &Case) -> f64 {
         Horizon::Until(time) => time,
     }
 }
+
+#[cfg(test)]
+mod tests;

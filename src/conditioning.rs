@@ -90,3 +90,6 @@ fn condition(case: &Case, [by_a, by_omega, by_eta]: [f64; 3]) -> f64 {
     let kappa = (case.epsilon() * by_a).abs() + (case.omega() * by_omega).abs() + (case.eta() * by_eta).abs();
     if kappa.is_nan() { f64::INFINITY } else { kappa }
 }
+
+#[cfg(test)]
+mod tests;

@@ -121,7 +121,7 @@ impl Calibration {
     /// Notes a claim for a number that is `error` away from the middle of an enclosure that reaches `unsure` to both sides of it. An error that
     /// the enclosure can't tell from nothing counts as half of what it could be.
     fn add(&mut self, observable: Observable, claim: f64, error: f64, unsure: f64) {
-        let ratio = (claim / error.max(0.5 * unsure)).min(LARGEST);
+        let ratio = (claim / error.max(0.5 * unsure)).clamp(0.0, LARGEST);
         let ratios = self.0.entry(observable).or_insert(Ratios { classes: BTreeMap::new(), smallest: f64::INFINITY });
         // What is not a number is no claim at all.
         let class = if ratio > 0.0 { (CLASSES * ratio.log10()).floor() as i32 } else { i32::MIN };
@@ -158,3 +158,6 @@ impl Ratios {
         ClaimOverError { numbers, smallest: self.smallest, median }
     }
 }
+
+#[cfg(test)]
+mod tests;

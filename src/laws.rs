@@ -181,3 +181,6 @@ fn interval_ratio(case: &Case, observed: &Observed, n: usize) -> Option<Figure> 
         allowed: tolerance::RATIO_LAW.value * change * change + ratio.uncertainty,
     })
 }
+
+#[cfg(test)]
+mod tests;

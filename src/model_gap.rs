@@ -115,3 +115,6 @@ fn stiffened(stepper: &dyn Oracle, case: &Case, kappa: f64) -> Result<Option<Sti
     let scaled = scaled.with_max_impacts(case.max_impacts())?.with_horizon(horizon)?;
     Ok(ask(stepper, &scaled).into_observed().map(|observed| Stiffened { observed, rate }))
 }
+
+#[cfg(test)]
+mod tests;

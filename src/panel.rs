@@ -190,7 +190,14 @@ pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Or
         return Ok(Box::new(ode(&settings, equation)?));
     }
     if let Some(order) = name.strip_prefix("asymptotic/") {
-        let order = settings.order.unwrap_or(order.strip_prefix("order-").unwrap_or(order));
+        let order = order.strip_prefix("order-").unwrap_or(order);
+        if let Some(other) = settings.order.filter(|other| *other != order) {
+            return Err(Invalid::new(
+                "order",
+                other,
+                "only the one that the name of the oracle says, or --oracle asymptotic",
+            ));
+        }
         return Ok(Box::new(asymptotic(&Settings { order: Some(order), ..*settings })?));
     }
     if let Some(enclosure) = enclosure(name, settings, equation)? {

@@ -167,3 +167,6 @@ fn columns(pairs: &[Entry], time: f64, eta: f64) -> impl Iterator<Item = Estimat
         Some(Estimate { value, uncertainty: truncation + bias.abs() + rounding })
     })
 }
+
+#[cfg(test)]
+mod tests;

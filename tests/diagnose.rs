@@ -14,7 +14,7 @@ fn small() -> &'static Tables {
 
 /// The claims that the captions make, on two restitutions.
 #[test]
-fn the_tables_show_what_the_captions_say() {
+fn the_tables_show_what_the_captions_claim() {
     let tables = small();
     for eta in [0.8, 0.92] {
         let of = |method: &str, share: f64| {
@@ -29,6 +29,10 @@ fn the_tables_show_what_the_captions_say() {
             }
         }
         assert!((0.1..0.2).contains(&of("paper (Eq. 65)", 0.9999)));
+        for two in orders.windows(2) {
+            let gain = of(two[1], 0.999_999_9) / of(two[0], 0.999_999_9);
+            assert!((gain - 0.66).abs() < 0.05, "each doubling takes off a third: {gain}");
+        }
         assert!(of("resummed", 0.99) < 1e-6 && of("resummed", 0.999) < 1e-4);
         for other in ["order 32", "H cut off", "reverted series"] {
             assert!(of("resummed", 0.999) < 1e-2 * of(other, 0.999), "{other}, eta = {eta}");

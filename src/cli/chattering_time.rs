@@ -64,7 +64,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
-    let mut observed = ask(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
+    // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
+    let fewest = || arguments.impacts.is_none().then(|| ask(&arguments.case.case(1).ok()?).ok()).flatten();
+    let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
+    let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     // Not told how many, take more impacts as long as they sharpen the answer and the oracle can do more.
     while arguments.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
         impacts *= 2;

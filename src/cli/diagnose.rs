@@ -33,10 +33,12 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let Arguments { out, omega, eta, grid } = arguments;
     let request = request(*omega, eta, *grid)?;
+    // First, because what follows takes a while.
+    fs::create_dir_all(out)
+        .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
     let bar = indicatif::ProgressBar::new_spinner();
     let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
-    fs::create_dir_all(out).with_context(|| format!("cannot make {}", out.display()))?;
     let mut written = String::new();
     for (name, text) in tables.files()? {
         let path = out.join(name);

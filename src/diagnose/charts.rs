@@ -66,9 +66,11 @@ fn is_of_the_series(method: &str) -> bool {
 fn errors(table: &Table) -> Result<String, Error> {
     LineChart {
         title: format!("The series up to the critical amplitude, ω = {}", omega(table)?),
-        caption: "Each order gains digits near the threshold and loses them all towards a_{cr}, where the series has a branch point; \
-                  resummed with that branch point it keeps them."
-            .into(),
+        caption:
+            "Each order gains digits near the threshold and loses them all towards a_{cr}, where the series has a \
+                  branch point; resummed with what is known of the branch point it keeps most of them until close to \
+                  a_{cr}."
+                .into(),
         x: Axis::linear(SHARE).with_range(0.0, 1.0),
         y: Axis::log(ERROR).with_range(FLOOR, 1.0),
         columns: 2,
@@ -91,9 +93,10 @@ fn errors_against_a(table: &Table) -> Result<String, Error> {
     let critical = rows.numbers("a")?.into_iter().flatten().fold(1.0, f64::max);
     LineChart {
         title: format!("Error against a, η = {eta}, ω = {}", omega(table)?),
-        caption: "The paper's truncation (Eq. 65) is off by about 2.2 (a − 1) at first and by 15 % at a_{cr}; each doubling of the order \
-                  gains nothing at a_{cr} itself."
-            .into(),
+        caption:
+            "Near the threshold the error of the paper’s truncation (Eq. 65) falls as a − 1 and that of order K as \
+                  its K-th power; at a_{cr} itself each doubling of the order takes off a third."
+                .into(),
         x: Axis::linear("a"),
         y: Axis::log(ERROR).with_range(FLOOR, 1.0),
         columns: 1,
@@ -106,9 +109,14 @@ fn errors_against_a(table: &Table) -> Result<String, Error> {
 fn errors_near_critical(table: &Table) -> Result<String, Error> {
     let keep = |method: &str| ["resummed", "order 32", "reverted series", "H cut off", "H by Pade"].contains(&method);
     LineChart {
-        title: format!("Ways to sum {} terms near a_{{cr}}, ω = {}", crate::panel::RESUMMED_TERMS, omega(table)?),
-        caption: "The critical amplitude is to the left: only the sum that knows the whole singularity (resummed) holds close to it for every \
-                  η; H is (1 − (τ_{ch}/(T/2))²)^(1/β), and the order 32 is plain."
+        title: format!(
+            "Ways to sum up to {} terms near a_{{cr}} (ω = {})",
+            crate::panel::RESUMMED_TERMS,
+            omega(table)?
+        ),
+        caption: "The critical amplitude is to the left: the sum that knows the powers behind the branch point \
+                  (resummed) holds closest to it, until it cannot tell a from a_{cr} and gives no value; H is \
+                  (1 − (τ_{ch}/(T/2))²)^(1/β), order 32 is the plain sum of 32 terms."
             .into(),
         x: Axis::log(TO_GO).with_range(1e-7, 1.0),
         y: Axis::log(ERROR).with_range(FLOOR, 1.0),
@@ -134,7 +142,8 @@ fn present(table: &Table, x: &str, y: &str) -> Result<Vec<crate::chart::Point>, 
 fn coefficients(table: &Table) -> Result<String, Error> {
     LineChart {
         title: format!("Coefficients of ω τ_{{ch}}/ε^(1/2), ω = {}", omega(table)?),
-        caption: "All coefficients are positive, so the singularity that ends the convergence lies on the real axis (Pringsheim): it is a_{cr}."
+        caption: "All coefficients are positive, so the singularity that ends the convergence lies on the real axis \
+                  (Pringsheim): it is a_{cr}."
             .into(),
         x: Axis::linear("k"),
         y: Axis::log("c_{k}"),
@@ -148,8 +157,8 @@ fn coefficients(table: &Table) -> Result<String, Error> {
 fn ratios(table: &Table) -> Result<String, Error> {
     LineChart {
         title: format!("Ratios of the coefficients (Domb and Sykes), ω = {}", omega(table)?),
-        caption: "Against 1/k the ratios tend to their limit 1/(a_{cr} − 1), with the slope −(1 + β): the radius of convergence is \
-                  a_{cr} − 1."
+        caption: "Against 1/k the ratios tend to their limit 1/(a_{cr} − 1), with the slope −(1 + β): the radius of \
+                  convergence is a_{cr} − 1."
             .into(),
         x: Axis::linear("1/k").with_range(0.0, 0.25),
         y: Axis::linear("(a_{cr} − 1) c_{k}/c_{k−1}").with_range(0.5, 1.02),
@@ -172,9 +181,10 @@ fn critical_estimates(table: &Table) -> Result<String, Error> {
     };
     LineChart {
         title: format!("a_{{cr}} − 1 from the coefficients alone, ω = {}", omega(table)?),
-        caption: "With the exponent known, the last ratio of k coefficients gives a_{cr} − 1 to about a per cent, the fitted tail to one part \
-                  in 10⁵ and better."
-            .into(),
+        caption:
+            "With the exponent known, the last ratio of k coefficients gives a_{cr} − 1 to between 10⁻² and 10⁻⁴, \
+                  the fitted tail of the same coefficients to ten or a hundred times better."
+                .into(),
         x: Axis::linear("k"),
         y: Axis::log("relative error of a_{cr} − 1").with_range(1e-8, 1.0),
         columns: 2,
@@ -194,9 +204,11 @@ fn first_error(table: &Table) -> Result<String, Error> {
     });
     HeatMap {
         title: "Where each order first errs by 1 %".into(),
-        caption: "The amplitude up to which an order can be used to 1 % depends on η far more than on ω, and ends before a_{cr} for every order; the \
+        caption:
+            "The amplitude up to which an order can be used to 1 % depends on η far more than on ω, and ends before \
+                  a_{cr} for every order; the \
                   edge in the first panel is where the error of Eq. 65 just reaches 1 % before it changes its sign."
-            .into(),
+                .into(),
         x: Axis::log("ω"),
         y: Axis::linear("η"),
         colour: Axis::log("a − 1 where the error reaches 1 %"),
@@ -214,9 +226,9 @@ fn exponents(table: &Table) -> Result<String, Error> {
         Series::new("from proven chattering times", present(table, "eta", "stepping")?).with_draw(Draw::Markers),
     ];
     LineChart {
-        title: format!("The exponent β of the approach to a_{{cr}}, ω = {}", omega(table)?),
-        caption: "1 − τ_{ch}/(T/2) falls as (a_{cr} − a)^β: three ways to β agree; where the coefficients fall short (η = 0.5 and above 0.95) \
-                  they say so."
+        title: format!("The exponent β of the approach to a_{{cr}} (ω = {})", omega(table)?),
+        caption: "1 − τ_{ch}/(T/2) falls as (a_{cr} − a)^β: proven chattering times give the β of the formula to five \
+                  digits, the coefficients of the series to two or three."
             .into(),
         x: Axis::linear("η"),
         y: Axis::linear("β").with_range(0.596, 0.616),
@@ -230,9 +242,9 @@ fn exponents(table: &Table) -> Result<String, Error> {
 fn local_exponents(table: &Table) -> Result<String, Error> {
     let series = by_eta(table, "to_go", "off")?;
     LineChart {
-        title: format!("The local exponent towards a_{{cr}}, ω = {}", omega(table)?),
-        caption: "The slope of ln(1 − τ_{ch}/(T/2)) against ln(a_{cr} − a) comes to β only as (a_{cr} − a)^β does to 0: a fit from afar \
-                  finds another exponent."
+        title: format!("The local exponent towards a_{{cr}} (ω = {})", omega(table)?),
+        caption: "The slope of ln(1 − τ_{ch}/(T/2)) against ln(a_{cr} − a) comes near to β only as (a_{cr} − a)^β \
+                  becomes small: a fit from afar finds another exponent."
             .into(),
         x: Axis::log(TO_GO),
         y: Axis::log("|local exponent − β|"),
@@ -247,9 +259,9 @@ fn scaled_tail(table: &Table) -> Result<String, Error> {
     let series = by_eta(table, "k", "scaled_tail")?;
     LineChart {
         title: format!("The factor that is periodic in the logarithm, ω = {}", omega(table)?),
-        caption: "Coefficients of H = (1 − (τ_{ch}/(T/2))²)^(1/β) with their power of k taken out: at η = 0.5 they swing with the period ln μ = 1.35 \
-                  in ln k, as an approach to a_{cr} does that repeats itself in ever smaller copies; for larger η the swing is too small to \
-                  see."
+        caption: "Coefficients of H = (1 − (τ_{ch}/(T/2))²)^(1/β) with their power of k taken out: at small η they swing \
+                  in ln k, with the period ln μ (1.35 at η = 0.5), because the approach to a_{cr} repeats itself in ever \
+                  smaller copies; at larger η only slow corrections show."
             .into(),
         x: Axis::log("k"),
         y: Axis::linear("h_{k} (a_{cr} − 1)^k k^(2+β), over the last").with_range(0.0, 1.6),
@@ -265,9 +277,10 @@ fn fits(table: &Table) -> Result<String, Error> {
     let panels = groups.map(|(fit, rows)| Ok(HeatPanel::new(fit, rows.cells("omega", "eta", "error")?)));
     HeatMap {
         title: "Fits of the critical amplitude".into(),
-        caption: "With as many coefficients as Eqs 76 and 77, fits in the powers that the motion has, (1 − η)^(3/7) and ω^−2, are about 4000 and 150 \
-                  times nearer to a_{cr}."
-            .into(),
+        caption:
+            "With as many coefficients as Eqs 76 and 77 (which are meant for η above 0.75), fits in the powers that \
+                  the motion has, (1 − η)^(3/7) and 1/ω², are some thousand and some hundred times nearer to a_{cr}."
+                .into(),
         x: Axis::log("ω"),
         y: Axis::linear("η"),
         colour: Axis::log("error of a_{cr}").with_range(1e-8, 1e-1),
@@ -282,8 +295,9 @@ fn truncation(table: &Table) -> Result<String, Error> {
     let of_one = |rows: &Table| only(rows, "truncation", "share", "error", |_| true);
     LineChart {
         title: format!("The truncation of Eq. 65, ω = {}", omega(table)?),
-        caption: "Eq. 65 keeps the ε^(3/2) of the odd flights and drops that of the even ones: near the threshold its error is of a lower order \
-                  than that of the consistent two terms, further on it is smaller, by cancellation."
+        caption: "Eq. 65 keeps the ε^(3/2) of the odd flights and drops that of the even ones: near the threshold its \
+                  error is of a lower order than that of two consistent terms; where its curve dips below, the two \
+                  mistakes cancel."
             .into(),
         x: Axis::log(SHARE),
         y: Axis::log(ERROR).with_range(1e-8, 1.0),

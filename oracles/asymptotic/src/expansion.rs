@@ -113,24 +113,26 @@ impl Expansion {
     ///
     /// The claim comes from the coefficients beyond, so `order` should be less than their number.
     pub fn chattering_time(&self, order: usize, epsilon: f64) -> Option<Estimate> {
-        let sum = truncated::sum(self.coefficients.iter().map(|coefficient| coefficient.value), order, epsilon)?;
-        Some(scaled(sum, epsilon.sqrt() / self.omega))
+        let coefficients = self.coefficients.iter().map(|coefficient| coefficient.value);
+        let sum = truncated::sum(coefficients, order, epsilon, 0.0)?;
+        Some(scaled(sum.estimate, epsilon.sqrt() / self.omega))
     }
 
     /// The impacts whose series are known, from the first `order` terms at `epsilon`; `None` for one whose series does not converge there.
     pub fn impacts(&self, order: usize, epsilon: f64) -> impl Iterator<Item = Option<Impact>> {
         let step = epsilon.sqrt() / self.omega;
-        let at = move |series: &[f64], order, unit| {
-            Some(scaled(truncated::sum(series.iter().copied(), order, epsilon)?, unit))
-        };
+        let at = move |series: &[f64], order, ratio| truncated::sum(series.iter().copied(), order, epsilon, ratio);
         // The times are the sums of the intervals, and not their own series, which would be rounded another way.
-        let mut time = Compensated::default();
+        let (mut time, mut claims) = (Compensated::default(), 0.0);
         self.impacts.iter().map(move |series| {
             // Odd flights take no time to the lowest order: of theirs the first term that there is is kept.
-            let order = order.max(1 + usize::from(series.interval.first() == Some(&0.0)));
-            let interval = at(&series.interval, order, step)?;
-            let velocity = at(&series.velocity, order, step * epsilon)?;
-            let uncertainty = at(&series.time, order, step)?.uncertainty;
+            let of_interval = order.max(1 + usize::from(series.interval.first() == Some(&0.0)));
+            let of_time = at(&series.time, order, 0.0)?;
+            let interval = scaled(at(&series.interval, of_interval, of_time.ratio)?.estimate, step);
+            let velocity = scaled(at(&series.velocity, order, of_time.ratio)?.estimate, step * epsilon);
+            claims += interval.uncertainty;
+            // To the lowest order the times are not those of their own series, because of what is kept of the odd flights.
+            let uncertainty = if order == 1 { claims } else { of_time.estimate.uncertainty * step };
             time.add(interval.value);
             let relative = |of: Estimate| of.uncertainty / of.value.abs();
             let uncertainty =

@@ -36,50 +36,45 @@ impl<T: Number> State<T> {
     /// The flight from here to the next impact: its duration, and the state there. Even flights (`i = i_0`) last `D ε^(1/2)/ω` with `D` of
     /// order 1; odd flights, which the forcing pushes back, `d ε^(3/2)/ω` (Eqs 43, 57 and 64).
     pub(crate) fn fly(&self, block: &Block<T>, even: bool) -> (Series<T>, Self) {
-        let terms = self.x.terms();
-        // The duration counted in θ; `d` of an odd flight is one order up.
-        let in_theta = |d: &Series<T>| if even { d.clone() } else { d.shifted() };
-        // The acceleration (-i - f)/ε, times what the duration in θ is longer than `d`.
-        let pull =
-            |g: &Series<T>| if even { g.clone() } else { g.shifted().minus(&Series::constant(real(2.0), g.terms())) };
-
         let mut d = Series::constant(self.leading_duration(even), 1);
-        for terms in doublings(terms) {
-            let known = d.terms();
-            d = d.with_terms(terms);
-            let (v, g, h) = (self.v.with_terms(terms), self.g.with_terms(terms), self.h.with_terms(terms));
-            let f = forcing(&g);
-            let duration = in_theta(&d);
-            let kernels = Kernels::new(&duration, block.q);
-            let ([s0, s1, s2], [p2, p3, p4]) = (&kernels.of_state, &kernels.of_forcing);
-            let square = duration.times(&duration);
-            let pulled = d.times(&pull(&g));
-            let fd = f.times(&duration);
-            // Φ/D, the known root at the start divided out, and dΦ/dθ at the end.
-            let rotation = v.times(s1).plus(&pulled.times(s2)).plus(&square.times(&h.times(p3).plus(&fd.times(p4))));
-            let velocity = v.times(s0).plus(&pulled.times(s1)).plus(&square.times(&h.times(p2).plus(&fd.times(p3))));
-            // Newton's step: twice as many terms are right after it. Those that were known stay as they are.
-            let mut step = d.times(&rotation).over(&velocity);
-            step.0.iter_mut().take(known).for_each(|term| *term = T::zero());
-            d = d.minus(&step);
-            if terms == self.x.terms() {
-                // The state belongs to the duration before the step; to the order kept a step changes it in proportion.
-                let step_in_theta = in_theta(&step);
-                let [c0, c1, c2] = &kernels.of_phase;
-                let g = g.plus(&square.times(&f).times(c2)).plus(&h.times(&duration).times(c1));
-                let h = h.times(c0).plus(&fd.times(c1));
-                let velocity = velocity.minus(&pull(&g).times(&step));
-                let duration = in_theta(&d);
-                let after = Self {
-                    x: self.x.plus(&duration),
-                    v: velocity.scaled(block.eta),
-                    g: g.minus(&h.times(&step_in_theta)),
-                    h: h.minus(&forcing(&g).times(&step_in_theta)),
-                };
-                return (duration, after);
-            }
+        let mut after = self.clone();
+        for terms in doublings(self.x.terms()) {
+            (d, after) = self.newton(block, even, &d, terms);
         }
-        (in_theta(&d), self.clone())
+        (in_theta(&d, even), after)
+    }
+
+    /// One step of Newton's method from a duration whose terms are known to `terms` of them, at most twice as many; and the state at its end.
+    fn newton(&self, block: &Block<T>, even: bool, known: &Series<T>, terms: usize) -> (Series<T>, Self) {
+        let d = known.with_terms(terms);
+        let (v, g, h) = (self.v.with_terms(terms), self.g.with_terms(terms), self.h.with_terms(terms));
+        let f = forcing(&g);
+        let duration = in_theta(&d, even);
+        let kernels = Kernels::new(&duration, block.q);
+        let ([s0, s1, s2], [p2, p3, p4]) = (&kernels.of_state, &kernels.of_forcing);
+        let square = duration.times(&duration);
+        let pulled = d.times(&pull(&g, even));
+        let fd = f.times(&duration);
+        // Φ/D, the known root at the start divided out, and dΦ/dθ at the end.
+        let rotation = v.times(s1).plus(&pulled.times(s2)).plus(&square.times(&h.times(p3).plus(&fd.times(p4))));
+        let velocity = v.times(s0).plus(&pulled.times(s1)).plus(&square.times(&h.times(p2).plus(&fd.times(p3))));
+        // Those terms that were known stay as they are.
+        let mut step = d.times(&rotation).over(&velocity);
+        step.0.iter_mut().take(known.terms()).for_each(|term| *term = T::zero());
+        // The state belongs to the duration before the step; to the order kept a step changes it in proportion.
+        let step_in_theta = in_theta(&step, even);
+        let [c0, c1, c2] = &kernels.of_phase;
+        let g = g.plus(&square.times(&f).times(c2)).plus(&h.times(&duration).times(c1));
+        let h = h.times(c0).plus(&fd.times(c1));
+        let velocity = velocity.minus(&pull(&g, even).times(&step));
+        let d = d.minus(&step);
+        let after = Self {
+            x: self.x.plus(&in_theta(&d, even)),
+            v: velocity.scaled(block.eta),
+            g: g.minus(&h.times(&step_in_theta)),
+            h: h.minus(&forcing(&g).times(&step_in_theta)),
+        };
+        (d, after)
     }
 
     /// The paper's order: the root of the cubic of Eq. 62, or Eq. 64.
@@ -98,6 +93,16 @@ impl<T: Number> State<T> {
         }
         duration
     }
+}
+
+/// A duration counted in `θ`; that of an odd flight is one order up.
+fn in_theta<T: Number>(d: &Series<T>, even: bool) -> Series<T> {
+    if even { d.clone() } else { d.shifted() }
+}
+
+/// The acceleration `(-i - f)/ε`, times what the duration in `θ` is longer than `d`.
+fn pull<T: Number>(g: &Series<T>, even: bool) -> Series<T> {
+    if even { g.clone() } else { g.shifted().minus(&Series::constant(real(2.0), g.terms())) }
 }
 
 /// `f = 1 - ε g`, which is also `dh/dθ`.

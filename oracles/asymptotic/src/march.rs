@@ -85,7 +85,7 @@ fn next_columns<T: Number>(last: &[Series<T>], entry: &Series<T>, ratio: T) -> V
 }
 
 fn found<T: Number>(columns: &[Series<T>], pairs: usize, search: Search) -> Option<Limit<T>> {
-    let changes = (1..).zip(columns.windows(2)).filter_map(|(column, two)| match two {
+    let mut changes = (1..).zip(columns.windows(2)).filter_map(|(column, two)| match two {
         [before, value] => Some(Limit {
             value: value.clone(),
             change: value.minus(before).0.iter().map(|change| change.rounded().abs()).collect(),
@@ -96,7 +96,7 @@ fn found<T: Number>(columns: &[Series<T>], pairs: usize, search: Search) -> Opti
     match search {
         Search::At(after, column) => changes.filter(|_| pairs == after).find(|limit| limit.found_at.1 == column),
         Search::Until(_) if pairs < FEWEST_PAIRS => None,
-        Search::Until(relative) => changes.into_iter().find(|limit| {
+        Search::Until(relative) => changes.find(|limit| {
             limit.change.iter().zip(&limit.value.0).all(|(change, value)| *change <= relative * value.rounded().abs())
         }),
     }

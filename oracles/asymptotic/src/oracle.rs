@@ -14,7 +14,7 @@ pub enum Order {
     Paper,
     /// So many terms of `ω τ_ch = ε^(1/2) (c₀ + c₁ ε + ...)`, and of the series of each impact. One term is the first sum of Eq. 65.
     Terms(usize),
-    /// All terms that are computed, with the singularity at the critical amplitude summed by itself. Impacts are of order 60.
+    /// All terms that are computed, with the singularity at the critical amplitude summed by itself. Impacts are of order 92.
     Resummed,
 }
 
@@ -28,6 +28,11 @@ pub struct Asymptotic {
 
 /// The largest order that can be asked for: [`Expansion::MOST_TERMS`] less those that tell the error.
 pub const MOST_ORDER: usize = Expansion::MOST_TERMS - BEYOND;
+
+/// Below it products of velocities come near to the smallest double.
+const LEAST_EPSILON: f64 = 1e-60;
+/// As many as take no longer than the chattering time itself.
+const CHEAP_IMPACTS: usize = 200;
 
 /// Beyond this claimed relative error of the chattering time nothing of an approximation is left.
 const MOST_CLAIMED: f64 = 0.5;
@@ -89,41 +94,46 @@ impl Oracle for Asymptotic {
                 self.stand_by(case, chattering_time)?;
                 Ok(listed(case, chattering_time, impacts))
             }
-            Order::Terms(order) => {
-                let expansion = Expansion::new(case.omega(), case.eta(), order + BEYOND, most_impacts(case)?)?;
-                self.sum(case, &expansion, order, expansion.chattering_time(order, case.epsilon()))
-            }
-            Order::Resummed => {
-                let expansion = Expansion::new(case.omega(), case.eta(), RESUMMED_TERMS, most_impacts(case)?)?;
-                let order = RESUMMED_TERMS - BEYOND;
-                let time = Resummed::new(&expansion)?.chattering_time(case.epsilon());
-                self.sum(case, &expansion, order, time)
-            }
+            Order::Terms(order) => self.to_any_order(case, order, order + BEYOND, |expansion| {
+                Ok(expansion.chattering_time(order, case.epsilon()))
+            }),
+            Order::Resummed => self.to_any_order(case, RESUMMED_TERMS - BEYOND, RESUMMED_TERMS, |expansion| {
+                Ok(Resummed::new(expansion)?.chattering_time(case.epsilon()))
+            }),
         }
     }
 }
 
 impl Asymptotic {
-    /// A history from a series to any order.
-    fn sum(
+    /// A history from `terms` terms, of which each impact takes the first `order`, and the chattering time what `time` says.
+    fn to_any_order(
         &self,
         case: &Case,
-        expansion: &Expansion,
         order: usize,
-        time: Option<Estimate>,
+        terms: usize,
+        time: impl Fn(&Expansion) -> Result<Option<Estimate>, Decline>,
     ) -> Result<History, Decline> {
-        let time = time.ok_or_else(|| Decline::NotConvergent {
+        let (epsilon, impacts) = (case.epsilon(), most_impacts(case)?);
+        if epsilon < LEAST_EPSILON {
+            return Err(Decline::OutOfRange { field: "epsilon", value: epsilon, allowed: "1e-60 <= epsilon" });
+        }
+        // Many impacts take long: first whether there is a chattering time to stand by.
+        let first = if impacts > CHEAP_IMPACTS { 0 } else { impacts };
+        let mut expansion = Expansion::new(case.omega(), case.eta(), terms, first)?;
+        let chattering_time = time(&expansion)?.ok_or_else(|| Decline::NotConvergent {
+            why: format!("the series does not converge at epsilon = {epsilon:.4e}: past the critical amplitude"),
+        })?;
+        self.stand_by(case, chattering_time)?;
+        if first < impacts {
+            expansion = Expansion::new(case.omega(), case.eta(), terms, impacts)?;
+        }
+        let impacts: Option<Vec<Impact>> = expansion.impacts(order, epsilon).collect();
+        let impacts = impacts.ok_or_else(|| Decline::NotConvergent {
             why: format!(
-                "the series does not converge at epsilon = {:.4e}: past the critical amplitude",
-                case.epsilon()
+                "tau_ch is known, but the series of an impact does not converge at epsilon = {epsilon:.4e}; fewer impacts may do"
             ),
         })?;
-        self.stand_by(case, time)?;
-        let impacts: Option<Vec<Impact>> = expansion.impacts(order, case.epsilon()).collect();
-        let impacts = impacts.ok_or_else(|| Decline::NotConvergent {
-            why: format!("the series of an impact does not converge at epsilon = {:.4e}", case.epsilon()),
-        })?;
-        Ok(listed(case, time, impacts.into_iter()))
+        Ok(listed(case, chattering_time, impacts.into_iter()))
     }
 
     /// Whether the error that is claimed leaves something of the value.

@@ -108,6 +108,11 @@ fn it_declines_where_it_claims_more_than_was_asked_and_past_the_critical_amplitu
         let case = Case::from_epsilon(1e-6, omega, eta).unwrap();
         assert_eq!(of_order(4).history(&case).unwrap_err().reason(), "out of range", "{omega} {eta}");
     }
+    let tiny = Case::from_epsilon(1e-205, 2.0, 0.92).unwrap();
+    let many = case(1.01).with_max_impacts(6_000).unwrap();
+    for case in [tiny, many] {
+        assert_eq!(of_order(8).history(&case).unwrap_err().reason(), "out of range", "{case:?}");
+    }
     let history = of_order(8).history(&case(1.0)).unwrap();
     assert_eq!(history.ending, Ending::NeverRocks);
 }
@@ -147,4 +152,57 @@ fn coefficients_are_polynomials_of_one_over_omega_squared() {
             assert!(sizes[k + 1] < 1e-10 * sizes[0], "eta {eta}: c_{k} is of higher degree than {k}: {sizes:?}");
         }
     }
+}
+
+/// Uniform numbers in [0, 1), xorshift.
+fn uniform(mut state: u64) -> impl FnMut() -> f64 {
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// Error over claim of every quantity of every impact, against exact stepping, in random cases; and a case that is not complete is never called so.
+#[test]
+fn the_claims_cover_the_errors_of_impacts() {
+    let mut uniform = uniform(0x51AB_2D0C_90F1_37E5);
+    let mut ratios: Vec<(f64, String)> = Vec::new();
+    let mut answered = 0;
+    for _ in 0..150 {
+        let (omega, eta) = (0.1 * 200_f64.powf(uniform()), 0.02 + 0.96 * uniform());
+        let critical = exact::critical(omega, eta);
+        for order in [1, 2, 4, 16, 48] {
+            let oracle = of_order(order);
+            let beyond = critical * (1.0 + 2e-4 + 0.1 * uniform().powi(4));
+            let beyond = Case::from_epsilon(beyond, omega, eta).unwrap();
+            assert!(oracle.history(&beyond).is_err(), "order {order} calls it complete: {beyond:?}");
+            let epsilon = critical * (1.0 - uniform().powi(2)) * 0.999;
+            let case = Case::from_epsilon(epsilon, omega, eta).unwrap();
+            let Ok(history) = oracle.history(&case) else { continue };
+            answered += 1;
+            let (truth, _) = exact::impacts(epsilon, omega, eta, 60);
+            for (n, (impact, truth)) in history.impacts.iter().zip(&truth).enumerate() {
+                let claim = impact.uncertainty;
+                // What exact stepping in doubles is itself good to.
+                let floor = 1e-12;
+                let mut add = |what: &str, error: f64, claim: f64| {
+                    ratios.push((
+                        error / claim.max(floor),
+                        format!("{what} of impact {}, order {order}, {case:?}", n + 1),
+                    ));
+                };
+                add("time", (impact.time - truth.time).abs() / truth.time, claim.time / truth.time);
+                add("interval", (impact.interval / truth.interval - 1.0).abs(), claim.interval);
+                add("velocity", (impact.velocity / truth.velocity - 1.0).abs(), claim.velocity);
+            }
+        }
+    }
+    ratios.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for (ratio, what) in ratios.iter().take(12) {
+        println!("{ratio} {what}");
+    }
+    println!("{answered} answered");
+    assert!(answered > 400 && ratios[0].0 < 1.0, "{answered} answered, {:?}", ratios[0]);
 }

@@ -113,3 +113,44 @@ fn the_exponent_from_the_coefficients_is_that_of_the_formula() {
         }
     }
 }
+
+/// The claims outside of the table: random frequencies and restitutions, up to just below the critical amplitude; and above it, no value.
+#[test]
+fn the_claims_hold_for_random_cases() {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut uniform = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut worst = 0.0_f64;
+    for _ in 0..40 {
+        let (omega, eta) = (0.5 * 200_f64.powf(uniform().powi(2)), 0.5 + 0.48 * uniform());
+        let critical = exact::critical(omega, eta);
+        let resummed = resummed(omega, eta, RESUMMED_TERMS);
+        for _ in 0..20 {
+            let epsilon = critical * (1.0 - 10.0_f64.powf(-3.5 * uniform()));
+            let truth = exact::chattering_time(epsilon, omega, eta).unwrap();
+            let estimate = resummed.chattering_time(epsilon).unwrap();
+            worst = worst.max((estimate.value - truth).abs() / estimate.uncertainty.max(1e-11 * truth));
+        }
+        for above in [1.0002, 1.001, 1.01, 1.1, 2.0, 10.0] {
+            let value = resummed.chattering_time(above * critical);
+            assert!(
+                value.is_none_or(|value| value.value + value.uncertainty >= std::f64::consts::PI / omega),
+                "{value:?}"
+            );
+        }
+    }
+    println!("error over claim: {worst}");
+    assert!(worst < 1.0, "{worst}");
+}
+
+#[test]
+fn where_it_was_not_calibrated_it_declines() {
+    for (omega, eta) in [(0.4, 0.9), (2.0, 0.49), (2.0, 0.985)] {
+        let decline = Resummed::new(&Expansion::new(omega, eta, 20, 0).unwrap()).unwrap_err();
+        assert_eq!(decline.reason(), "out of range", "{omega} {eta}");
+    }
+}

@@ -82,3 +82,6 @@ fn resolved(variance: f64, term: f64) -> f64 {
     let least = RESOLUTION * term;
     if least > variance { least } else { variance }
 }
+
+#[cfg(test)]
+mod tests;

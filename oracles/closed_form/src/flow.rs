@@ -194,6 +194,48 @@ mod tests {
         }
     }
 
+    /// `h`, `s h'`, `s² h''` and the gain from `u`, `u'`, `u''` of Eq. 6, of which they are what is left of a quotient by `s`.
+    #[test]
+    fn slope_bend_and_gain_are_those_of_eq_6() {
+        let forcing = Forcing { acceleration: -0.7, jerk: 0.4, snap: -1.3, rounding: (0.0, 0.0) };
+        for omega in [0.3f64, 1.0, 2.0, 8.0] {
+            let flow = Flow::new(omega);
+            for x in [0.7, 1.5, 2.0] {
+                let s = x / omega.max(1.0);
+                let (u, rate) = eq_6(omega, s, (0.0, 0.5), &forcing);
+                let (sin, cos) = (omega * s).sin_cos();
+                let second = u - 0.7 + 0.4 * sin / omega - 1.3 * (1.0 - cos) / (omega * omega);
+                let motion = flow.after_impact(s, 0.5, &forcing);
+                assert_relative_eq!(motion.slope, rate - u / s, epsilon = 1e-14);
+                assert_relative_eq!(motion.gain, rate - 2.0 * u / s + 0.5, epsilon = 1e-14);
+                assert_relative_eq!(motion.bend, s * second - 2.0 * (rate - u / s), epsilon = 1e-13);
+            }
+        }
+    }
+
+    /// The number of terms is what the length asks for: 3 below 0.009, 6 below 0.32, all from there on.
+    #[test]
+    fn no_more_terms_are_summed_than_the_length_asks_for() {
+        let forcing = Forcing { acceleration: -0.7, jerk: 0.4, snap: -1.3, rounding: (0.0, 0.0) };
+        let flow = Flow::new(1.0);
+        let bits = |sums: Sums<f64>| [sums.value, sums.slope, sums.bend].map(|of| of.map(f64::to_bits));
+        let start = [0.5, forcing.acceleration];
+        let (mut differ_at_three, mut differ_at_six) = (0, 0);
+        for k in 0..=100 {
+            let shorten = 1.0 - 0.005 * f64::from(k);
+            let [short, middle] = [shorten * FEW.1, shorten * SOME.1];
+            let three = bits(flow.first_terms::<3>(short, start, &forcing));
+            let six = [short, middle].map(|s| bits(flow.first_terms::<6>(s, start, &forcing)));
+            let all = bits(flow.first_terms::<TERMS>(middle, start, &forcing));
+            let found = [short, middle].map(|s| bits(flow.sums(s, start, &forcing)));
+            // The limit itself belongs to the longer stretches.
+            assert_eq!(found, if k == 0 { [six[0], all] } else { [three, six[1]] });
+            differ_at_three += usize::from(three != six[0]);
+            differ_at_six += usize::from(six[1] != all);
+        }
+        assert!(differ_at_three > 10 && differ_at_six > 10, "{differ_at_three}, {differ_at_six}");
+    }
+
     #[test]
     fn fewer_terms_for_a_short_stretch_change_nothing() {
         let forcing = Forcing { acceleration: -0.7, jerk: 0.4, snap: -1.3, rounding: (0.0, 0.0) };

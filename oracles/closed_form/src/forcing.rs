@@ -107,6 +107,45 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    /// Numbers from mpmath at 40 digits. Rounding `ωτ/2` alone would cost up to 1e-13 of these.
+    #[test]
+    fn half_the_phase_is_known_to_a_rounding_however_late_it_is() {
+        for (omega, high, low, sin, cos) in [
+            (0.3, 12345.678, 3e-13, -0.993_143_528_160_305_3, -0.116_901_379_261_755_62),
+            (7.3, 987.654321, -4e-14, -0.999_227_919_439_968_2, -0.039_288_229_938_144_375),
+            (1.0, 3.0, 1.1e-16, 0.997_494_986_604_054_4, 0.070_737_201_667_702_86),
+        ] {
+            let half = Excitation::new(0.03, omega).half_phase(Twofold { high, low });
+            assert_relative_eq!(half.sin, sin, max_relative = 4e-16);
+            assert_relative_eq!(half.cos, cos, max_relative = 4e-16);
+        }
+    }
+
+    /// `sup(-1 - i f) = a - 1`.
+    #[test]
+    fn no_forcing_is_larger_than_the_largest() {
+        let excitation = Excitation::new(0.25, 2.0);
+        assert_eq!(excitation.largest_acceleration(), 0.25);
+        let at = |k: u32| excitation.forcing(-1.0, excitation.half_phase(Twofold::sum(0.01 * f64::from(k), 0.0)));
+        let largest = (0..314).map(|k| at(k).acceleration).fold(0.0, f64::max);
+        assert_relative_eq!(largest, 0.25, max_relative = 1e-3);
+    }
+
+    /// What rounding does to the factors: 3/2 of each term, in units of the unit round-off, by hand at a quarter of the period.
+    #[test]
+    fn the_bound_on_rounding_is_that_of_the_terms() {
+        let half = HalfPhase { sin: 0.6, cos: 0.8 };
+        for (sign, expected) in [
+            // 2 · 0.6 (0.75 · 0.8 + 0.6) and 2 (0.75 (0.8 - 0.6)(0.8 + 0.6) + 2 · 0.6 · 0.8)
+            (-1.0, (1.5 * 1.2 * 1.2, 1.5 * 2.0 * (0.21 + 0.96))),
+            (1.0, (1.5 * 1.6 * (0.8 + 0.45), 1.5 * 2.0 * (0.21 + 0.96))),
+        ] {
+            let found = Excitation::new(0.25, 2.0).forcing(sign, half).rounding;
+            assert_relative_eq!(found.0, expected.0, max_relative = 1e-14);
+            assert_relative_eq!(found.1, expected.1, max_relative = 1e-14);
+        }
+    }
+
     #[test]
     fn the_factored_forcing_is_the_printed_one() {
         let (epsilon, omega) = (0.03, 2.0);

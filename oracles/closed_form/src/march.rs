@@ -94,3 +94,6 @@ fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), acceleratio
         rounding: (error / interval, error),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -66,7 +66,7 @@ impl Follower {
         // h = u/s is zero at the impact whatever the case, and s h' is what is known of its slope.
         let relative = motion.deflated.scaled(-1.0 / motion.slope.value);
         let (s, along) = (relative.chain(interval, interval), relative.scaled(motion.bend.value));
-        (s, Dual { value: motion.gain.value, ..motion.gain + along })
+        (s, motion.gain + along)
     }
 
     /// The same for a flight of any length, in stretches.

@@ -66,6 +66,43 @@ impl Split {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    /// Whole numbers that a double holds, most of them with all of its 53 bits.
+    fn whole() -> impl Strategy<Value = f64> {
+        (-(1i64 << 53)..=1i64 << 53).prop_map(|whole| whole as f64)
+    }
+
+    fn exact(sum: Twofold) -> i128 {
+        sum.high as i128 + sum.low as i128
+    }
+
+    proptest! {
+        /// In whole numbers, of which 128 bits hold every sum and product.
+        #[test]
+        fn sums_and_products_are_exact(x in whole(), y in whole(), shift in 0..60i32) {
+            let scale = 2f64.powi(shift);
+            let sum = Twofold::sum(scale * x, y);
+            prop_assert_eq!(exact(sum), ((scale * x) as i128) + y as i128);
+            prop_assert_eq!(sum.high, scale * x + y);
+            prop_assert_eq!(exact(Twofold::sum(y, scale * x)), exact(sum));
+            let product = Twofold::product(x, Split::new(y));
+            prop_assert_eq!(exact(product), (x as i128) * (y as i128));
+            prop_assert_eq!(product.high, x * y);
+        }
+
+        /// What is in the low part already is carried along.
+        #[test]
+        fn the_low_part_is_added_to_and_multiplied(x in whole(), y in whole(), low in -256i32..256) {
+            let low = f64::from(low);
+            let sum = Twofold { high: x, low }.plus(y);
+            prop_assert_eq!(exact(sum), x as i128 + low as i128 + y as i128);
+            let factor = (y % 4096.0).trunc();
+            let product = Twofold { high: x, low }.times(Split::new(factor));
+            prop_assert_eq!(exact(product), (x as i128 + low as i128) * factor as i128);
+            prop_assert_eq!(Twofold { high: x, low }.value(), (x as i128 + low as i128) as f64);
+        }
+    }
 
     #[test]
     fn the_rounding_error_of_a_sum_and_of_a_product_is_kept() {

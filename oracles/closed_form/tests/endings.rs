@@ -47,6 +47,17 @@ fn the_endings_on_either_side_of_the_critical_amplitude() {
     assert_eq!(ending(1.0380, 5), Ending::LimitReached(Limit::Impacts));
 }
 
+/// The flight after the first impact leads to overturning, but not yet at 2.9.
+#[test]
+fn what_has_not_overturned_when_the_time_is_up_is_not_reported_as_overturned() {
+    let of = |time: f64| {
+        let History { impacts, ending, .. } = history(&until(1.2, 1.0, 0.7, time));
+        (impacts.len(), ending)
+    };
+    assert_eq!(of(2.9), (1, Ending::LimitReached(Limit::Time)));
+    assert_eq!(of(30.0), (1, Ending::Overturned));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 

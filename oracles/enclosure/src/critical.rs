@@ -126,7 +126,7 @@ impl Search {
         if ahead > 0.4 * WIDTH {
             // From below, as near as the prediction is good.
             let margin = before.map_or(0.1 * ahead, |before| 2.0 * (predicted - before).abs());
-            inside(predicted - margin.clamp(0.2 * WIDTH, 0.3 * ahead))
+            inside(predicted - margin.max(0.2 * WIDTH).min(0.3 * ahead))
         } else {
             inside(predicted + 0.4 * WIDTH)
         }

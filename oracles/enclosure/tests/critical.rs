@@ -58,3 +58,12 @@ fn high_restitution() {
     check(0.5, 0.97);
     check(8.0, 0.97);
 }
+
+/// Pairs at which the search once asked for a margin between bounds that had crossed.
+#[test]
+fn the_search_ends_where_the_prediction_is_within_a_hair() {
+    for (omega, eta) in [(1.0, 0.65), (0.5, 0.52), (6.0, 0.6), (6.0, 0.779), (1.7, 0.58)] {
+        let critical = critical_amplitude(omega, eta).unwrap();
+        assert!(critical.amplitude.width() <= 1e-12, "{omega} {eta}");
+    }
+}

@@ -124,3 +124,6 @@ fn sin_less_x_cos(x: f64) -> f64 {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests;

@@ -216,3 +216,6 @@ fn polish(polynomial: &[f64], mut left: f64, mut right: f64) -> f64 {
     }
     x
 }
+
+#[cfg(test)]
+mod tests;

@@ -95,3 +95,6 @@ fn run(block: &Block, horizon: Horizon, most: usize) -> (Vec<Impact>, Ending) {
     let certain = block.certainly_rests(high + low, speed);
     (impacts, if certain { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) })
 }
+
+#[cfg(test)]
+mod tests;

@@ -112,3 +112,6 @@ pub fn expand(block: &Block, forcing: &Forcing, scale: &Scale, state: (f64, f64)
 fn count(k: usize) -> f64 {
     k as f64
 }
+
+#[cfg(test)]
+mod tests;

@@ -46,9 +46,19 @@ impl Resummed {
     /// From the coefficients of the series.
     ///
     /// # Errors
-    /// With fewer than 16 terms, or where the tail of the coefficients is not that of such a singularity.
+    /// With fewer than 16 terms; where `omega` is below 0.5 or `eta` outside [0.5, 0.98], where its error was not calibrated (for a slow
+    /// excitation the first flight alone becomes critical, which is another singularity); and where the tail of the coefficients is not that of
+    /// such a singularity.
     pub fn new(expansion: &Expansion) -> Result<Self, Decline> {
         let terms = expansion.coefficients().len();
+        for (field, value, least, most, allowed) in [
+            ("omega", expansion.omega(), 0.5, f64::INFINITY, "0.5 to 1000 to be resummed"),
+            ("eta", expansion.eta(), 0.5, 0.98, "0.5 to 0.98 to be resummed"),
+        ] {
+            if !(least..=most).contains(&value) {
+                return Err(Decline::OutOfRange { field, value, allowed });
+            }
+        }
         if terms < FEWEST_TERMS {
             return Err(Decline::OutOfRange { field: "order", value: terms as f64, allowed: "16 or more to resum" });
         }
@@ -128,7 +138,7 @@ fn power_of_what_is_left(coefficients: &Series<TwoFloat>, exponent: TwoFloat) ->
     one.minus(&squared.scaled(real::<TwoFloat>(1.0).over(pi * pi))).power(real::<TwoFloat>(1.0).over(exponent))
 }
 
-/// The coefficients of `H` times `ε_c^k k^(2+β)`, from `k = 1`: flat in the end but for what is periodic in `ln k`, with the period `ln μ`.
+/// The coefficients of `H` times `ε_c^k k^(2+β)`, from `k = 1`: slowly varying, but for what is periodic in `ln k` with the period `ln μ`.
 ///
 /// Of a singularity `(ε_c - ε)^(1+β)` the coefficients fall as `k^-(2+β)`, of one with the exponent `1 ± 2πi/ln μ` as `k^-2` times
 /// `cos(2π ln k/ln μ)`: so this is where the periodic factor of the approach shows, though it is small in the chattering time itself.

@@ -11,7 +11,8 @@ pub(super) enum Power {
     Pair(TwoFloat, TwoFloat),
 }
 
-/// Measured: above it the coefficients say nothing of the periodic factor that is not lost among the other powers.
+/// At `η = 0.75` and 96 terms the exponent from the coefficients is right to 2e-4 with the periodic factor, and to 2e-3 without; at 0.8 the
+/// coefficients say nothing of it that is not lost among the other powers.
 const PERIODIC_BELOW: f64 = 0.78;
 
 impl Power {

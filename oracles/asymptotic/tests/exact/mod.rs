@@ -40,11 +40,11 @@ pub fn chattering_time(epsilon: f64, omega: f64, eta: f64) -> Option<f64> {
     Some(b.time + (a.interval + b.interval) * eta * eta / (1.0 - eta * eta)).filter(|tau| *tau < PI / omega)
 }
 
-/// The critical `ε`, where chattering stops being complete, from below to 1e-4 of itself, by bisection.
+/// The critical `ε`, where chattering stops being complete, from below to 1e-7, by bisection.
 /// A slow excitation cannot have one above about `ω²/2`: there the first flight does not return.
 pub fn critical(omega: f64, eta: f64) -> f64 {
     let (mut low, mut high) = (0.0, (omega * omega).min(0.5));
-    for _ in 0..14 {
+    for _ in 0..23 {
         let middle = 0.5 * (low + high);
         if chattering_time(middle, omega, eta).is_some() { low = middle } else { high = middle }
     }
