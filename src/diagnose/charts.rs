@@ -95,7 +95,7 @@ fn errors_against_a(table: &Table) -> Result<String, Error> {
         title: format!("Error against a, η = {eta}, ω = {}", omega(table)?),
         caption:
             "Near the threshold the error of the paper’s truncation (Eq. 65) falls as a − 1 and that of order K as \
-                  its K-th power; at a_{cr} itself each doubling of the order takes off a third."
+                  its K-th power; at a_{cr} itself each doubling of the order takes off about a third."
                 .into(),
         x: Axis::linear("a"),
         y: Axis::log(ERROR).with_range(FLOOR, 1.0),

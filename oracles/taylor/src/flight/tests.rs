@@ -153,6 +153,10 @@ fn a_fall_that_turns_is_told_from_one_that_does_not() {
     assert_eq!(root(&[1.0, -1.0, 0.0, 0.2], 4.0), None);
     // Down through zero and up again within the step: the cube turns it with three times its coefficient.
     near(root(&[1.0, -1.0, 0.0, 0.145], 1.8).unwrap(), 1.38638118253687, 1e-12);
+    // The same in other units, where the coefficients are small, or large.
+    near(root(&[1.0, -0.1, 0.0, 1.45e-4], 18.0).unwrap(), 13.863_811_825_368_7, 1e-12);
+    near(root(&[1.0, -10.0, 0.0, 145.0], 0.18).unwrap(), 0.138_638_118_253_687, 1e-12);
+    near(root(&[1.0, -10.0, 24.0], 0.4).unwrap(), 1.0 / 6.0, 1e-12);
     assert_eq!(root(&[1.0, -1.0, 0.0, 0.0, 0.2], 4.0), None);
 }
 
@@ -164,6 +168,8 @@ fn the_lowest_point_and_the_root_are_found_to_the_last_digits() {
     near(polish(&[2.0, 0.0, -1.0], 1.25, 7.0), 2.0f64.sqrt(), 3e-16);
     // So near to the start that halving would take more steps than there are.
     near(polish(&[1e-40, -1.0, -1.0], 0.0, 1.0), 1e-40, 1e-15);
+    // From 1.45, next to a minimum, a step of Newton's leads past the two other roots of (1 - x)(2 - x)(3 - x).
+    near(polish(&[6.0, -11.0, 6.0, -1.0], 0.9, 2.0), 1.0, 3e-15);
     // Newton's steps leave the bracket here: 1 - x^9, from the middle of (0, 4) and of (0, 1.2)
     for right in [4.0, 1.2] {
         near(polish(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0], 0.0, right), 1.0, 3e-16);
