@@ -23,8 +23,8 @@ use crate::truncated::BEYOND;
 ///
 /// The chattering time itself has a branch point at `ε_c = a_cr - 1`, `1 - τ_ch/(T/2) ~ (ε_c - ε)^β`, so that its series converges there like
 /// `Σ k^-(1+β)`. The function `H = (1 - (τ_ch/(T/2))²)^(1/β)` has a simple zero instead, and behind it only the weaker powers
-/// `(ε_c - ε)^s` with `s = 1 + jβ + l`, and `1 ± 2πi/ln μ` and so on from the factor that is periodic in the logarithm (see [`Approach`]
-/// (crate::Approach)). Its last coefficients tell how much there is of each. What they leave is summed as it stands. Where `H` vanishes is the
+/// `(ε_c - ε)^s` with `s = 1 + jβ + l`, and `1 ± 2πi/ln μ` and so on from the factor that is periodic in the logarithm (see
+/// [`Approach`](crate::Approach)). Its last coefficients tell how much there is of each. What they leave is summed as it stands. Where `H` vanishes is the
 /// critical amplitude.
 #[derive(Debug, Clone)]
 pub struct Resummed {
