@@ -2,7 +2,7 @@
 
 use asymptotic::Asymptotic;
 pub use asymptotic::{
-    Alternative, Approach, Expansion, Order, RESUMMED_TERMS, Resummed, approach, coefficients,
+    Alternative, Approach, Coefficients, Expansion, Order, RESUMMED_TERMS, Resummed, approach, coefficients,
     exponent_of_coefficients, ratios, scaled_tail,
 };
 use closed_form::ClosedForm;

@@ -47,7 +47,8 @@ pub(crate) struct CaseFlags {
         value_parser = number
     )]
     eta: Option<f64>,
-    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`
+    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that goes on:
+    /// its phase and duration, and what is asked and how accurately, are checked but not used yet
     #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha"])]
     scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model

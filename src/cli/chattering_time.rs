@@ -65,13 +65,13 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
     // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
-    let fewest = || arguments.impacts.is_none().then(|| ask(&arguments.case.case(1).ok()?).ok()).flatten();
+    let fewest = || arguments.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten();
     let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
     let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     // Not told how many, take more impacts as long as they sharpen the answer and the oracle can do more.
     while arguments.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
         impacts *= 2;
-        case = arguments.case.case(impacts)?;
+        case = case.with_max_impacts(impacts)?;
         match ask(&case) {
             Ok(sharper) => observed = sharper,
             Err(_) => break,

@@ -206,8 +206,8 @@ fn first_error(table: &Table) -> Result<String, Error> {
         title: "Where each order first errs by 1 %".into(),
         caption:
             "The amplitude up to which an order can be used to 1 % depends on η far more than on ω, and ends before \
-                  a_{cr} for every order; the \
-                  edge in the first panel is where the error of Eq. 65 just reaches 1 % before it changes its sign."
+                  a_{cr} for every order; the edge in the first panel is where the error of Eq. 65 just reaches 1 % \
+                  before it changes its sign."
                 .into(),
         x: Axis::log("ω"),
         y: Axis::linear("η"),

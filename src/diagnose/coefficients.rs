@@ -1,4 +1,5 @@
 use contract::Decline;
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::truth::critical_epsilon;
@@ -32,7 +33,7 @@ pub struct CoefficientRow {
 }
 
 pub(super) fn measure(expansions: &[Expansion]) -> Result<Vec<CoefficientRow>, Decline> {
-    let rows = expansions.iter().map(of_one);
+    let rows = expansions.par_iter().map(of_one);
     Ok(rows.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
@@ -44,7 +45,7 @@ fn of_one(expansion: &Expansion) -> Result<Vec<CoefficientRow>, Decline> {
     let rows = expansion.coefficients().iter().enumerate().map(|(k, coefficient)| {
         let ratio = ratios.iter().find(|ratio| ratio.k == k);
         // With `k + 1` coefficients; there is a tail to fit from 16 on.
-        let resummed = expansion.shortened(k + 1).and_then(|shorter| Resummed::new(&shorter).ok());
+        let resummed = Resummed::new(&expansion.shortened(k + 1)).ok();
         CoefficientRow {
             eta,
             omega,

@@ -3,7 +3,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    ORDERS, spread,
+    ORDERS, PAPER, spread,
     truth::{critical_epsilon, proven},
 };
 use crate::panel::{Alternative, Expansion, Resummed, coefficients};
@@ -81,8 +81,8 @@ fn methods(expansion: &Expansion) -> Result<Vec<(String, Method<'_>)>, Decline> 
     let (omega, eta) = (expansion.omega(), expansion.eta());
     let mut methods: Vec<(String, Method)> = Vec::new();
     if let Some(paper) = coefficients(eta) {
-        let value = move |epsilon: f64| Some(((paper.x + paper.u * epsilon) * epsilon.sqrt() / omega, None));
-        methods.push(("paper (Eq. 65)".to_owned(), Box::new(value)));
+        let value = move |epsilon: f64| Some((paper.chattering_time(epsilon, omega), None));
+        methods.push((PAPER.to_owned(), Box::new(value)));
     }
     for order in ORDERS {
         let value = move |epsilon: f64| {

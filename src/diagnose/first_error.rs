@@ -3,7 +3,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    ORDERS, map, spread,
+    ORDERS, PAPER, map, spread,
     truth::{critical_epsilon, stepped},
 };
 use crate::panel::{Expansion, coefficients};
@@ -59,7 +59,7 @@ fn of_one(omega: f64, eta: f64) -> Result<Vec<FirstErrorRow>, Decline> {
         rows.push(FirstErrorRow { omega, eta, order, a: share.map(|share| 1.0 + share * critical), share });
     };
     if let Some(paper) = coefficients(eta) {
-        add("paper (Eq. 65)".to_owned(), &|epsilon| (paper.x + paper.u * epsilon) * epsilon.sqrt() / omega);
+        add(PAPER.to_owned(), &|epsilon| paper.chattering_time(epsilon, omega));
     }
     for order in ORDERS {
         add(order.to_string(), &|epsilon| expansion.partial_sum(order, epsilon));

@@ -29,6 +29,8 @@ pub use truncation::TruncationRow;
 
 /// Orders, in terms, at which the series is looked at.
 const ORDERS: [usize; 6] = [1, 2, 4, 8, 16, 32];
+/// What the tables call the order of the paper.
+const PAPER: &str = "paper (Eq. 65)";
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,12 +41,6 @@ pub struct Request {
     pub etas: Vec<f64>,
     /// How many steps each axis of the maps has.
     pub grid: usize,
-}
-
-impl Default for Request {
-    fn default() -> Self {
-        Self { omega: 2.0, etas: vec![0.5, 0.8, 0.92, 0.97], grid: 16 }
-    }
 }
 
 /// The tables, one for each file.

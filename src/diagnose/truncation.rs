@@ -3,10 +3,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    spread,
+    PAPER, spread,
     truth::{critical_epsilon, proven},
 };
-use crate::panel::{Expansion, coefficients};
+use crate::panel::{Coefficients, Expansion, coefficients};
 
 /// Eq. 65 keeps the `ε^(3/2)` of one half of the flights only; beside it the truncation that keeps all of them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,13 +31,14 @@ pub(super) fn measure(expansions: &[Expansion]) -> Result<Vec<TruncationRow>, De
         let (omega, eta) = (expansion.omega(), expansion.eta());
         let critical = critical_epsilon(omega, eta)?;
         let Some(paper) = coefficients(eta) else { continue };
-        let second = expansion.coefficients().get(1).map_or(f64::NAN, |coefficient| coefficient.value);
+        let Some(second) = expansion.coefficients().get(1).map(|coefficient| coefficient.value) else { continue };
         let shares: Vec<f64> = spread(-3.0, 0.0, 60).map(|log| 10.0_f64.powf(log).min(0.999)).collect();
         let truths: Vec<Option<f64>> = shares.par_iter().map(|share| proven(share * critical, omega, eta)).collect();
-        for (truncation, coefficient) in [("paper (Eq. 65)", paper.u), ("consistent", second)] {
+        // Both have the same first coefficient.
+        for (truncation, coefficient) in [(PAPER, paper.u), ("consistent", second)] {
             rows.extend(shares.iter().zip(&truths).map(|(&share, truth)| {
                 let epsilon = share * critical;
-                let value = (paper.x + coefficient * epsilon) * epsilon.sqrt() / omega;
+                let value = Coefficients { u: coefficient, ..paper }.chattering_time(epsilon, omega);
                 let error = truth.map(|truth| (value / truth - 1.0).abs());
                 TruncationRow { eta, omega, truncation, coefficient, share, error }
             }));

@@ -143,6 +143,8 @@ impl Scene {
 
     /// The dimensionless case: that of the first rocking from rest, with the slenderness if the model needs it.
     ///
+    /// A case knows neither when the motion of the ground starts nor when it ends: it is that of a motion that passes the threshold and goes on.
+    ///
     /// The amplitude is measured against the threshold `g tan α`, at which the block does begin to rock, for both models; only one that is
     /// written `over-slender-threshold` is measured against `g α`.
     ///
@@ -151,11 +153,8 @@ impl Scene {
     pub fn case(&self) -> Result<Case, Invalid> {
         let omega = self.omega();
         let (a, normalisation) = match self.ground.amplitude {
-            Amplitude::OverThreshold(a) => (a, Normalisation::Threshold),
             Amplitude::OverSlenderThreshold(a) => (a, Normalisation::Slender),
-            Amplitude::G(_) | Amplitude::MPerS2(_) => {
-                (self.acceleration() / (self.block.gravity * self.block.slenderness.tan()), Normalisation::Threshold)
-            }
+            _ => (self.over_threshold(), Normalisation::Threshold),
         };
         let case = Case::from_amplitude(a, omega, self.block.restitution)?.with_max_impacts(self.ask.impacts)?;
         Ok(match self.ask.model {
@@ -175,6 +174,14 @@ impl Scene {
         }
     }
 
+    /// The amplitude over the threshold `g tan α` (Eq. 1); without rounding where it is written so.
+    fn over_threshold(&self) -> f64 {
+        match self.ground.amplitude {
+            Amplitude::OverThreshold(a) => a,
+            _ => self.acceleration() / (self.block.gravity * self.block.slenderness.tan()),
+        }
+    }
+
     /// The frequency ratio `ω = ω_g/p`.
     pub fn omega(&self) -> f64 {
         match self.ground.frequency {
@@ -188,12 +195,10 @@ impl Scene {
     /// # Errors
     /// When the motion starts above the threshold: then the block does not begin to rock at it, as every case does.
     pub fn initiation(&self) -> Result<Option<(f64, bool)>, Invalid> {
-        let Block { gravity, slenderness, .. } = self.block;
         let a = match self.ground.amplitude {
-            Amplitude::OverThreshold(a) => a,
             // The slender block of Eq. 4 begins to rock at g α.
             Amplitude::OverSlenderThreshold(a) if self.ask.model == Model::Linear => a,
-            _ => self.acceleration() / (gravity * slenderness.tan()),
+            _ => self.over_threshold(),
         };
         if a <= 1.0 {
             return Ok(None);

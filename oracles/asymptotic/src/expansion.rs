@@ -75,11 +75,11 @@ impl Expansion {
         })
     }
 
-    /// The same with the first `terms` terms only, without the impacts; `None` if it has not so many.
-    pub fn shortened(&self, terms: usize) -> Option<Self> {
-        let coefficients = self.coefficients.get(..terms)?.to_vec();
-        let precise = self.precise.with_terms(terms);
-        Some(Self { omega: self.omega, eta: self.eta, precise, coefficients, impacts: Vec::new() })
+    /// The same with the first `terms` terms at the most, and without the impacts.
+    pub fn shortened(&self, terms: usize) -> Self {
+        let coefficients: Vec<Coefficient> = self.coefficients.iter().copied().take(terms).collect();
+        let precise = self.precise.with_terms(coefficients.len());
+        Self { omega: self.omega, eta: self.eta, precise, coefficients, impacts: Vec::new() }
     }
 
     /// The frequency ratio `ω`.
@@ -109,7 +109,7 @@ impl Expansion {
     }
 
     /// The chattering time from the first `order` terms at `epsilon`; `None` outside of the circle of convergence, as far as the coefficients
-    /// tell, and with fewer than three of them.
+    /// tell, and with fewer than four of them.
     ///
     /// The claim comes from the coefficients beyond, so `order` should be less than their number.
     pub fn chattering_time(&self, order: usize, epsilon: f64) -> Option<Estimate> {

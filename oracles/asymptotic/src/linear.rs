@@ -15,8 +15,9 @@ pub(crate) fn solve<T: Number>(mut rows: Vec<Vec<T>>) -> Option<Vec<T>> {
         rows = rows
             .iter()
             .filter_map(|row| {
-                let (&factor, row) = row.split_first()?;
-                Some(row.iter().zip(rest).map(|(&a, &b)| a - factor.over(first) * b).collect())
+                let (&entry, row) = row.split_first()?;
+                let factor = entry.over(first);
+                Some(row.iter().zip(rest).map(|(&a, &b)| a - factor * b).collect())
             })
             .collect();
         solved.push(pivot);
@@ -24,8 +25,8 @@ pub(crate) fn solve<T: Number>(mut rows: Vec<Vec<T>>) -> Option<Vec<T>> {
     // From the last unknown back.
     let mut unknowns: Vec<T> = Vec::with_capacity(solved.len());
     for row in solved.iter().rev() {
-        let ([first, factors @ ..], right) = (row.split_last()?.1, *row.split_last()?.0) else { return None };
-        let known = factors.iter().rev().zip(&unknowns).fold(right, |left, (&factor, &x)| left - factor * x);
+        let [first, factors @ .., right] = row.as_slice() else { return None };
+        let known = factors.iter().rev().zip(&unknowns).fold(*right, |left, (&factor, &x)| left - factor * x);
         unknowns.push(known.over(*first));
     }
     unknowns.reverse();

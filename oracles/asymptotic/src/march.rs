@@ -94,7 +94,8 @@ fn found<T: Number>(columns: &[Series<T>], pairs: usize, search: Search) -> Opti
         _ => None,
     });
     match search {
-        Search::At(after, column) => changes.filter(|_| pairs == after).find(|limit| limit.found_at.1 == column),
+        Search::At(after, _) if pairs != after => None,
+        Search::At(_, column) => changes.find(|limit| limit.found_at.1 == column),
         Search::Until(_) if pairs < FEWEST_PAIRS => None,
         Search::Until(relative) => changes.find(|limit| {
             limit.change.iter().zip(&limit.value.0).all(|(change, value)| *change <= relative * value.rounded().abs())

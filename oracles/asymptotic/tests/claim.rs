@@ -32,7 +32,7 @@ fn relative(value: f64, truth: f64) -> f64 {
 }
 
 fn measure(seed: u64, cases: usize) -> Measured {
-    let mut uniform = uniform(seed);
+    let mut uniform = exact::uniform(seed);
     let mut measured = Measured::default();
     for k in 0..cases {
         let eta = match k % 8 {
@@ -71,16 +71,6 @@ fn measure(seed: u64, cases: usize) -> Measured {
         }
     }
     measured
-}
-
-/// Uniform numbers in [0, 1), xorshift.
-fn uniform(mut state: u64) -> impl FnMut() -> f64 {
-    move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
 
 fn check(mut measured: Measured) {

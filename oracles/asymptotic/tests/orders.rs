@@ -154,20 +154,10 @@ fn coefficients_are_polynomials_of_one_over_omega_squared() {
     }
 }
 
-/// Uniform numbers in [0, 1), xorshift.
-fn uniform(mut state: u64) -> impl FnMut() -> f64 {
-    move || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Error over claim of every quantity of every impact, against exact stepping, in random cases; and a case that is not complete is never called so.
 #[test]
 fn the_claims_cover_the_errors_of_impacts() {
-    let mut uniform = uniform(0x51AB_2D0C_90F1_37E5);
+    let mut uniform = exact::uniform(0x51AB_2D0C_90F1_37E5);
     let mut ratios: Vec<(f64, String)> = Vec::new();
     let mut answered = 0;
     for _ in 0..150 {

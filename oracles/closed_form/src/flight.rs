@@ -224,4 +224,4 @@ fn halley(motion: &Motion<f64>) -> f64 {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

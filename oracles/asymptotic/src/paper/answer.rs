@@ -36,7 +36,7 @@ pub(crate) fn answer(case: &Case) -> Result<(Estimate, impl Iterator<Item = Impa
 /// Eq. 65 to infinity, or the reason why the series does not stand by it.
 fn chattering_time(case: &Case, sums: Coefficients) -> Result<Estimate, Decline> {
     let (epsilon, omega) = (case.epsilon(), case.omega());
-    let value = (sums.x + sums.u * epsilon) * epsilon.sqrt() / omega;
+    let value = sums.chattering_time(epsilon, omega);
     let claim = Claim::new(epsilon, omega, sums.x, sums.u, 0);
     let half_period = PI / omega;
     let uncertainty = claim.time() * value;

@@ -9,6 +9,13 @@ pub struct Coefficients {
     pub u: f64,
 }
 
+impl Coefficients {
+    /// The chattering time of Eq. 65 at `epsilon`, whatever it is worth there.
+    pub fn chattering_time(&self, epsilon: f64, omega: f64) -> f64 {
+        (self.x + self.u * epsilon) * epsilon.sqrt() / omega
+    }
+}
+
 /// The two sums of Eq. 65, to infinity, for the coefficient of restitution `eta` inside (0, 1).
 ///
 /// The durations of the flights fall by `η²` a pair in the end, so the rest of a sum is its last term times `η²/(1 - η²)`. The relative

@@ -21,7 +21,7 @@ pub fn exponent_of_coefficients(expansion: &Expansion, critical_epsilon: f64) ->
     Some(Estimate { value, uncertainty: SAFETY * changes.into_iter().fold(0.0, f64::max) })
 }
 
-/// The largest error met was as much as the difference (`tests/resummed.rs`).
+/// The largest error met was 0.84 of the claim, so 3.4 times the difference (`diagnose`, `η = 0.95`).
 const SAFETY: f64 = 4.0;
 const MOST_SECANTS: usize = 30;
 

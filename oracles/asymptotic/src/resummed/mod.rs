@@ -28,9 +28,8 @@ use crate::truncated::BEYOND;
 /// critical amplitude.
 #[derive(Debug, Clone)]
 pub struct Resummed {
-    /// For the plain sum.
+    /// For the plain sum; without its impacts.
     expansion: Expansion,
-    omega: f64,
     exponent: f64,
     best: Sum,
     /// Sums that know less, from which the error is estimated.
@@ -78,8 +77,7 @@ impl Resummed {
         let fewer: Vec<Power> = powers.iter().copied().skip(1).collect();
         let shorter = series.with_terms(series.terms() - terms / 8);
         Ok(Self {
-            expansion: expansion.clone(),
-            omega: expansion.omega(),
+            expansion: expansion.shortened(terms),
             exponent: exponent.rounded(),
             best: sum(&series, &powers)?,
             poorer: vec![sum(&series, &fewer)?, sum(&shorter, &powers)?],
@@ -116,7 +114,7 @@ impl Resummed {
         if !(best > uncertainty && best < 1.0) {
             return None;
         }
-        let half_period = PI / self.omega;
+        let half_period = PI / self.expansion.omega();
         // τ_ch/(T/2) = (1 - H^β)^(1/2)
         let fraction = |h: f64| (1.0 - h.min(1.0).powf(self.exponent)).sqrt();
         let value = fraction(best);
@@ -125,7 +123,7 @@ impl Resummed {
     }
 }
 
-/// The largest error met in a calibration (`tests/resummed.rs`) was as much as the difference between the sums.
+/// The largest error met in random cases (`tests/resummed.rs`) was 0.6 of the claim, so 2.4 times the difference between the sums.
 const SAFETY: f64 = 4.0;
 /// Of `H`, which is 1 at `ε = 0`.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

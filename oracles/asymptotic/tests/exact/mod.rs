@@ -121,3 +121,13 @@ impl Flight {
         Some(0.5 * (low + high)).filter(|s| *s < left)
     }
 }
+
+/// Uniform numbers in [0, 1), xorshift.
+pub fn uniform(mut state: u64) -> impl FnMut() -> f64 {
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}

@@ -36,7 +36,7 @@ fn thrice() -> (Takeoff<'static>, [f64; 3]) {
 }
 
 /// `u`, `u'` and `u''` by Eq. 6 in local time, which is good to rounding where `s` is of order 1.
-fn eq_6(takeoff: &Takeoff, s: f64) -> [f64; 3] {
+pub(crate) fn eq_6(takeoff: &Takeoff, s: f64) -> [f64; 3] {
     let Forcing { acceleration, jerk, snap, .. } = takeoff.forcing;
     let omega = takeoff.excitation.omega;
     // the forcing -1 - i f(s) = m + c cos(ωs) + d sin(ωs)
