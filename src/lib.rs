@@ -13,6 +13,7 @@
 //! ground motions in physical units, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
+pub mod atlas;
 pub mod case_file;
 pub mod chart;
 pub mod compare;
@@ -35,6 +36,8 @@ pub mod replay;
 pub mod report;
 pub mod scene;
 pub mod shrink;
+pub mod specimens;
 pub mod tolerance;
 pub mod verify;
+pub mod work_precision;
 pub mod zeno;

@@ -8,7 +8,8 @@ pub use asymptotic::{
 use closed_form::ClosedForm;
 use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
-use ode::{Equation, Flights, Method, Ode};
+use ode::{Equation, Flights};
+pub use ode::{Method, Ode as Solver, Restart};
 use printed::Printed;
 use taylor::Taylor;
 
@@ -31,11 +32,11 @@ pub fn may_decline(oracle: &str) -> f64 {
 pub fn default() -> Panel {
     vec![
         Box::new(ClosedForm),
-        Box::new(Ode::new(Equation::Linear, Method::Tsit45)),
-        Box::new(Ode::new(Equation::Linear, Method::Bdf)),
-        Box::new(Ode::new(Equation::Linear, Method::TrBdf2)),
-        Box::new(Ode::new(Equation::Linear, Method::Esdirk34)),
-        Box::new(Ode::new(Equation::Nonlinear, Method::Tsit45)),
+        Box::new(Solver::new(Equation::Linear, Method::Tsit45)),
+        Box::new(Solver::new(Equation::Linear, Method::Bdf)),
+        Box::new(Solver::new(Equation::Linear, Method::TrBdf2)),
+        Box::new(Solver::new(Equation::Linear, Method::Esdirk34)),
+        Box::new(Solver::new(Equation::Nonlinear, Method::Tsit45)),
         Box::new(Taylor),
         Box::new(Asymptotic::new()),
         Box::new(series(HIGH_ORDER)),
@@ -59,10 +60,10 @@ pub fn all() -> Panel {
     panel.push(Box::new(series(Order::Resummed)));
     panel.push(Box::new(Printed::default()));
     for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
-        panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
+        panel.push(Box::new(Solver::new(Equation::Nonlinear, method)));
     }
     for equation in [Equation::Linear, Equation::Nonlinear] {
-        panel.push(Box::new(Ode::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
+        panel.push(Box::new(Solver::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
     }
     panel
 }
@@ -70,6 +71,25 @@ pub fn all() -> Panel {
 /// The oracle that steps fastest and to nearly all digits, for truths of which many are needed.
 pub fn stepper() -> Box<dyn Oracle> {
     Box::new(ClosedForm)
+}
+
+/// The methods of diffsol.
+pub const SOLVERS: [Method; 4] = Method::ALL;
+
+/// diffsol by itself, for what only it can do: the linear equation, by `method` and at the tolerance `rtol`.
+///
+/// # Errors
+/// When the tolerance is not inside [1e-13, 1e-2].
+pub fn solver(method: Method, rtol: f64) -> Result<Solver, Invalid> {
+    Solver::new(Equation::Linear, method).with_rtol(rtol)
+}
+
+/// The same on one clock, by Tsit45, restarted after each impact as named: a specimen.
+///
+/// # Errors
+/// As [`solver`].
+pub fn one_clock(restart: Restart, rtol: f64) -> Result<Solver, Invalid> {
+    Ok(solver(Method::Tsit45, rtol)?.with_flights(Flights::Naive).with_restart(restart))
 }
 
 /// The oracle with many digits by itself, for what only it can do.
@@ -230,7 +250,7 @@ fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {
     settings.tolerance.map_or(Ok(asymptotic.clone()), |tolerance| asymptotic.with_tolerance(tolerance))
 }
 
-fn ode(settings: &Settings, equation: &str) -> Result<Ode, Invalid> {
+fn ode(settings: &Settings, equation: &str) -> Result<Solver, Invalid> {
     settings.refuse_all_but(&["model", "method", "flights", "rtol"])?;
     let equation = match settings.equation.unwrap_or(equation) {
         "linear" => Equation::Linear,
@@ -249,6 +269,6 @@ fn ode(settings: &Settings, equation: &str) -> Result<Ode, Invalid> {
         "naive" => Flights::Naive,
         other => return Err(Invalid::new("flights", other, "rescaled or naive")),
     };
-    let ode = Ode::new(equation, method).with_flights(flights);
+    let ode = Solver::new(equation, method).with_flights(flights);
     settings.rtol.map_or(Ok(ode.clone()), |rtol| ode.with_rtol(rtol))
 }

@@ -1,0 +1,84 @@
+"""Asks the peers and the project's own oracles the same cases, in one run, and writes one row for each setting.
+
+Usage: run.py [OUT], after `cargo build --release --example peers`; OUT is data/record/peers unless given. See README.md.
+"""
+
+import csv
+import importlib
+import json
+import os
+import subprocess
+import sys
+
+import measure
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
+CASES = os.path.join(ROOT, "target", "peers")
+PEERS = ["peer_numba", "peer_heyoka", "peer_cvode", "peer_scipy"]
+PATIENCE = 120.0  # seconds for a setting, everything included
+
+COLUMNS = {
+    "peers": "tool,version,setting,cases,cases_lost,impacts,impacts_per_s,closed_form_ratio,worst_time_error_20,"
+    "worst_interval_error,impacts_resolved,outcome",
+    "work_precision": "share,epsilon,family,setting,impacts,rhs,seconds,tau_ch_error,impact_40_error,outcome",
+}
+
+
+def own():
+    """The rows of the project's own oracles: their answers, judged as those of the peers are."""
+    cases = measure.read(CASES)
+    lines = subprocess.run([OWN, "time", CASES], check=True, capture_output=True, text=True).stdout.splitlines()
+    for line in lines:
+        answer = json.loads(line)
+        judged = [measure.judge(answer["answers"][name], case) for name, case in measure.workload(cases).items()]
+        deep = measure.judge(answer["answers"]["deep"], cases["deep"])
+        yield measure.row("chattercheck", "0.1.0", answer["setting"], judged, answer["seconds"], deep)
+
+
+def ask(module, index):
+    """What a peer says in a process of its own, which may fail or hang."""
+    command = [sys.executable, os.path.join(HERE, "measure.py"), module, CASES, str(index)]
+    try:
+        answer = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=HERE)
+    except subprocess.TimeoutExpired:
+        return f"timed out after {PATIENCE:g} s"
+    if answer.returncode:
+        return f"error: {(answer.stderr.strip().splitlines() or ['no message'])[-1]}"
+    return json.loads(answer.stdout.splitlines()[-1])
+
+
+def write(folder, table, rows):
+    """One CSV; what a row does not have stays empty."""
+    with open(os.path.join(folder, f"{table}.csv"), "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS[table].split(","), restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main():
+    out = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "data", "record", "peers")
+    os.makedirs(out, exist_ok=True)
+    subprocess.run([OWN, "cases", CASES], check=True)
+    tables = {"peers": list(own()), "work_precision": []}
+    for module in PEERS:
+        peer = importlib.import_module(module)
+        for index, setting in enumerate(peer.SETTINGS):
+            print(f"{peer.TOOL}: {setting}", file=sys.stderr)
+            answer = ask(module, index)
+            if isinstance(answer, str):
+                failed = {"tool": peer.TOOL, "version": peer.VERSION, "setting": setting, "outcome": answer}
+                answer = {"peers": [failed], "work_precision": []}
+            for table, rows in answer.items():
+                tables[table] += rows
+    fastest = float(tables["peers"][0]["impacts_per_s"])  # the closed form is asked first
+    for row in tables["peers"]:
+        if row.get("impacts"):
+            row["closed_form_ratio"] = f"{fastest / float(row['impacts_per_s']):.3g}"
+    for table, rows in tables.items():
+        write(out, table, rows)
+
+
+if __name__ == "__main__":
+    main()
