@@ -111,7 +111,7 @@ fn time_stepping(table: &Table) -> Result<String, Error> {
     map(
         table,
         "Time stepping, the ad hoc scheme, and Eq. 6 as printed",
-        "Time stepping (Moreau and Jean) always answers, coarsely: its rattle hides all motion that is slower. The ad hoc scheme hangs where Eq. 65 is \
+        "Time stepping (Moreau and Jean) always answers, coarsely: it rattles where a block rests, and what is slower than that is hidden. The ad hoc scheme hangs where Eq. 65 is \
          later than the true time, or Eq. 76 below the true amplitude. Eq. 6 in absolute time finds no end.",
         &[
             (OF, "step 1e-2", "step 10⁻²"),

@@ -1,8 +1,7 @@
 //! The stability atlas: what each known way of handling the accumulation point does, over the distance to the critical amplitude, the restitution
 //! and the depth of the sequence. The ways that fail are the [`specimens`](crate::specimens); beside them stand the oracles.
 //!
-//! The truth is the enclosure's: whether the chattering is complete, `τ_ch` and every interval. What happens in the half period after `T/2` is
-//! judged by the closed form.
+//! The truth is the enclosure's: whether the chattering is complete, `τ_ch`, every interval, and what happens in the half period after `T/2`.
 
 mod charts;
 mod depth;

@@ -1,10 +1,10 @@
 //! What the methods are measured against.
 
-use contract::{Case, Decline, Ending, Horizon, Model};
+use contract::{Case, Decline, Ending, History, Horizon, Model};
 
 use crate::{
     critical, panel,
-    specimens::{ENDLESS, Landing, Response, half_period},
+    specimens::{Landing, Response, half_period},
 };
 
 /// Everything that is known of a case.
@@ -38,27 +38,25 @@ impl Truth {
         Self::of(case)
     }
 
-    /// Of a case.
-    ///
-    /// # Errors
-    /// As [`Truth::at`].
-    pub fn of(case: Case) -> Result<Self, Decline> {
-        let invalid = |why: contract::Invalid| Decline::NotConvergent { why: why.to_string() };
-        let proven = panel::enclosure_of(Model::Linear).enclose(&case)?.history();
-        let end = 2.0 * half_period(&case);
-        let followed =
-            case.with_max_impacts(ENDLESS).and_then(|case| case.with_horizon(Horizon::Until(end))).map_err(invalid)?;
-        let stepped = panel::stepper().history(&followed)?;
-        let all: Vec<Landing> = stepped.impacts.iter().map(Landing::from).collect();
-        let chattering_time = proven.chattering_time.map(|time| time.value);
-        // Above a_cr the block may come to rest in the second half period; that is as good as its last impact.
-        let last = all.last().map(|last| last.time).filter(|_| stepped.ending == Ending::AtRest);
-        Ok(Self {
-            response: Response::of(&case, &all, chattering_time.or(last)),
-            impacts: proven.impacts.iter().map(Landing::from).collect(),
-            chattering_time,
-            case,
-        })
+    fn of(case: Case) -> Result<Self, Decline> {
+        let judge = panel::enclosure_of(Model::Linear);
+        let listed = |case: &Case| -> Result<(Vec<Landing>, History), Decline> {
+            let history = judge.enclose(case)?.history();
+            Ok((history.impacts.iter().map(Landing::from).collect(), history))
+        };
+        let (impacts, history) = listed(&case)?;
+        let chattering_time = history.chattering_time.map(|time| time.value);
+        let response = if chattering_time.is_some() {
+            Response::of(&case, &impacts, chattering_time)
+        } else {
+            let invalid = |why: contract::Invalid| Decline::NotConvergent { why: why.to_string() };
+            let end = 2.0 * half_period(&case);
+            let (all, history) = listed(&case.with_horizon(Horizon::Until(end)).map_err(invalid)?)?;
+            // It may come to rest in the second half period; that is as good as its last impact.
+            let last = all.last().map(|last| last.time).filter(|_| history.ending == Ending::AtRest);
+            Response::of(&case, &all, last)
+        };
+        Ok(Self { case, impacts, chattering_time, response })
     }
 
     /// How many of `impacts` are resolved: the intervals of all up to them are within 1 %.

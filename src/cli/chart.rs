@@ -31,17 +31,17 @@ enum Part {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let Arguments { out, only, peers } = arguments;
-    let read =
-        |path: &PathBuf| fs::read_to_string(path).with_context(|| format!("cannot read peers = {}", path.display()));
-    let peers = peers.as_ref().map(read).transpose()?;
+    let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
     // First, because what follows takes a while.
     fs::create_dir_all(out)
         .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
     let bar = indicatif::ProgressBar::new_spinner();
     let wanted = |part| only.is_none_or(|only| only == part);
     if wanted(Part::WorkPrecision) {
-        let rows = work_precision::measure(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
-        print(&chart::write(out, &work_precision::files(rows, peers.as_deref())?, &work_precision::CHARTS)?)?;
+        let mut rows = work_precision::measure(&work_precision::Request::default(), || bar.inc(1))
+            .map_err(|decline| anyhow!("{decline}"))?;
+        rows.extend(peers);
+        print(&chart::write(out, &work_precision::files(&rows)?, &work_precision::CHARTS)?)?;
     }
     if wanted(Part::Atlas) {
         let tables = atlas::Tables::measure(&atlas::Request::default(), || bar.inc(1))
@@ -50,4 +50,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     bar.finish_and_clear();
     Ok(Verdict::Well)
+}
+
+fn peers_in(path: &PathBuf) -> anyhow::Result<Vec<work_precision::WorkRow>> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read peers = {}", path.display()))?;
+    work_precision::read(&text).with_context(|| format!("peers = {} are no such rows", path.display()))
 }

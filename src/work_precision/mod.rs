@@ -41,46 +41,64 @@ pub struct WorkRow {
     pub outcome: String,
 }
 
-/// The frequency ratio and the restitution of all cases.
-pub const OMEGA_ETA: (f64, f64) = (2.0, 0.92);
+/// What is looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// The frequency ratio.
+    pub omega: f64,
+    /// The restitution.
+    pub eta: f64,
+    /// The distances: `(a - 1)/(a_cr - 1)` in percent, and the number of impacts that the solvers are asked for there.
+    pub percents: Vec<(f64, usize)>,
+    /// A setting is repeated until it has taken so many seconds.
+    pub patience: f64,
+}
 
-/// A distance: its name, `(a - 1)/(a_cr - 1)`, and the number of impacts that the solvers are asked for, enough to close the sum to nearly all digits.
-const SHARES: [(&str, f64, usize); 3] = [("50 %", 0.5, 80), ("90 %", 0.9, 120), ("99.9 %", 0.999, 200)];
-
-/// A row is repeated until it has taken so long, or so often.
-const LONG_ENOUGH: (f64, usize) = (0.05, 50);
+impl Default for Request {
+    /// The block of the paper's figures at three distances, with impacts enough to close the sum to nearly all digits.
+    fn default() -> Self {
+        Self { omega: 2.0, eta: 0.92, percents: vec![(50.0, 80), (90.0, 120), (99.9, 200)], patience: 0.05 }
+    }
+}
 
 /// Asks everything. `done` is called after each row.
 ///
 /// # Errors
-/// When the enclosure declines a case, which it does not.
-pub fn measure(done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
-    let (omega, eta) = OMEGA_ETA;
+/// When a quantity is out of range.
+pub fn measure(request: &Request, done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
+    let Request { omega, eta, .. } = *request;
     let invalid = |why: contract::Invalid| Decline::NotConvergent { why: why.to_string() };
     let critical = critical::interpolated(omega, eta).map_err(invalid)?;
     let mut rows = Vec::new();
-    for (name, share, impacts) in SHARES {
-        let case = Case::from_epsilon(share * critical, omega, eta).and_then(|case| case.with_max_impacts(impacts));
-        let case = case.map_err(invalid)?;
+    for (percent, impacts) in &request.percents {
+        let case = Case::from_epsilon(percent / 100.0 * critical, omega, eta);
+        let case = case.and_then(|case| case.with_max_impacts(*impacts)).map_err(invalid)?;
         let truth = Truth::of(&case)?;
         for method in methods(&case) {
-            rows.push(truth.row(name, &case, &method));
+            let mut row = truth.row(&case, &method);
+            row.share = format!("{percent} %");
+            row.seconds = seconds(request.patience, || drop(black_box((method.run)(black_box(&case)))));
+            rows.push(row);
             done();
         }
     }
     Ok(rows)
 }
 
-/// The files: the rows measured here, and those of the peers, which have the same columns.
+/// The rows of peers, which have the same columns.
 ///
 /// # Errors
-/// When the peers' rows are not such rows.
-pub fn files(mut rows: Vec<WorkRow>, peers: Option<&str>) -> Result<BTreeMap<&'static str, String>, csv::Error> {
-    if let Some(peers) = peers {
-        let mut reader = csv::Reader::from_reader(peers.as_bytes());
-        rows.extend(reader.deserialize().collect::<Result<Vec<WorkRow>, _>>()?);
-    }
-    Ok(BTreeMap::from([("work_precision.csv", csv_text(&rows)?)]))
+/// When the text is not CSV with these columns.
+pub fn read(text: &str) -> Result<Vec<WorkRow>, csv::Error> {
+    csv::Reader::from_reader(text.as_bytes()).deserialize().collect()
+}
+
+/// The file that the charts are drawn from.
+///
+/// # Errors
+/// Never, as far as rows of numbers and names can be written.
+pub fn files(rows: &[WorkRow]) -> Result<BTreeMap<&'static str, String>, csv::Error> {
+    Ok(BTreeMap::from([("work_precision.csv", csv_text(rows)?)]))
 }
 
 /// What is true of a case.
@@ -98,39 +116,46 @@ impl Truth {
         })
     }
 
-    /// First the answer, then how long it takes.
-    fn row(&self, share: &str, case: &Case, method: &Method) -> WorkRow {
+    /// The answer, before it is timed.
+    fn row(&self, case: &Case, method: &Method) -> WorkRow {
         let Found { chattering_time, impact_40, impacts, evaluations, width, outcome } = (method.run)(case);
         // What is proven is as far off as it is wide; anything else as far as it is from what is proven.
-        let off = |found: Option<f64>, exact: Option<f64>| Some((found? / exact? - 1.0).abs());
+        let off = |found: Option<f64>, exact: Option<f64>| Some(rounded((found? / exact? - 1.0).abs()));
         WorkRow {
-            share: share.to_owned(),
+            share: String::new(),
             epsilon: case.epsilon(),
             family: method.family.clone(),
             setting: method.setting.clone(),
             impacts,
             rhs: evaluations,
-            seconds: seconds(|| drop(black_box((method.run)(black_box(case))))),
-            tau_ch_error: width.map(|width| width.0).or_else(|| off(chattering_time, self.chattering_time)),
-            impact_40_error: width.map(|width| width.1).or_else(|| off(impact_40, self.impact_40)),
+            seconds: f64::NAN,
+            tau_ch_error: width.map(|width| rounded(width.0)).or_else(|| off(chattering_time, self.chattering_time)),
+            impact_40_error: width.map(|width| rounded(width.1)).or_else(|| off(impact_40, self.impact_40)),
             outcome,
         }
     }
 }
 
-/// The best of some repeats, to three digits.
-fn seconds(run: impl Fn()) -> f64 {
-    let (long, often) = LONG_ENOUGH;
+/// The best of some repeats.
+fn seconds(patience: f64, run: impl Fn()) -> f64 {
     let (mut best, mut total) = (f64::INFINITY, 0.0);
-    for _ in 0..often {
+    for _ in 0..MOST_REPEATS {
         let start = Instant::now();
         run();
         let took = start.elapsed().as_secs_f64();
         best = best.min(took);
         total += took;
-        if total > long {
+        if total > patience {
             break;
         }
     }
-    format!("{best:.2e}").parse().unwrap_or(best)
+    rounded(best)
 }
+
+/// To three digits, which is more than such numbers say.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// How often a setting is repeated at the most.
+const MOST_REPEATS: usize = 50;
