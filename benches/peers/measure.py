@@ -73,8 +73,8 @@ def row(tool, version, setting, judged, seconds, deep):
         "cases_lost": sum(wrong is not None for *_, wrong in judged),
         "impacts": impacts,
         "impacts_per_s": f"{impacts / seconds:.3g}" if impacts else "",
-        "worst_time_error_20": f"{max(error for _, error, *_ in judged):.2g}",
-        "worst_interval_error": f"{max(error for _, _, error, _ in judged):.2g}",
+        "worst_time_error_20": f"{max(error for _, error, *_ in judged):.2g}" if impacts else "",
+        "worst_interval_error": f"{max(error for _, _, error, _ in judged):.2g}" if impacts else "",
         "impacts_resolved": depth,
         "outcome": fails or "resolved all",
     }

@@ -21,28 +21,28 @@ def local(epsilon, omega, eta, impacts):
     half_period = math.pi / omega
     for n in range(impacts):
         g, f, q = forcing(i, tau, a, omega, delta)
-        s, _ = guess(i, velocity, g, f, q, omega)
-        # Coefficients u^(k)/k! of u = i phi: phi^(k+2) = phi^(k) - f^(k).
-        reach = 3.0 * max(omega, 1.0) * s
-        size, power, last = 1.0, 1.0, 4
-        while size > 1e-18 and last < 60:
-            last += 1
-            power *= reach
-            size = power / math.gamma(last - 2.0)
+        if n < 5:
+            s, _ = guess(i, velocity, g, f, q, omega)
+        else:
+            # Two flights earlier the interval was one of the same sign; its ratio to the one before that still holds, nearly.
+            s = intervals[n - 2] * intervals[n - 2] / intervals[n - 4]
+        # Coefficients u^(k)/k! of u = i phi: phi^(k+2) = phi^(k) - f^(k); as many as it takes where s is twice as long as guessed.
+        reach = 2.0 * max(omega, 1.0) * s
         even, odd = -i * g, i * (velocity - omega * q)
         c[1], c[2], c[3] = i * velocity, even / 2.0, odd / 6.0
         f_even, f_odd = -omega * omega * f, -omega * omega * omega * q
-        factorial = 6.0
-        for k in range(4, last):
-            factorial *= k
-            if k % 2 == 0:
-                even -= i * f_even
-                f_even *= -omega * omega
-                c[k] = even / factorial
-            else:
-                odd -= i * f_odd
-                f_odd *= -omega * omega
-                c[k] = odd / factorial
+        over_factorial, size, last = 1.0 / 6.0, 1.0, 4
+        while size > 1e-18 and last < 62:
+            over_factorial /= last
+            even -= i * f_even
+            c[last] = even * over_factorial
+            over_factorial /= last + 1
+            odd -= i * f_odd
+            c[last + 1] = odd * over_factorial
+            f_even *= -omega * omega
+            f_odd *= -omega * omega
+            size *= reach * reach / ((last - 2) * (last - 1))
+            last += 2
         first = 3 if n == 0 else 1
         for _ in range(60):
             value, slope = c[last - 1], 0.0
@@ -51,8 +51,8 @@ def local(epsilon, omega, eta, impacts):
                 value = value * s + c[k]
             step = value / slope
             s -= step
-            if abs(step) <= 1e-16 * s:
-                break
+            if abs(step) <= 1e-9 * s:
+                break  # the error is the square of that
         speed = 0.0
         for k in range(last - 1, 0, -1):
             speed = speed * s + k * c[k]
@@ -86,14 +86,15 @@ def printed(epsilon, omega, eta, impacts):
             at = 1.2 * 4.0 * math.sqrt(epsilon * (2.0 + epsilon)) / omega
         else:
             at = tau - 2.0 * velocity / acceleration
-        slope = 0.0
+        slope, before = 0.0, math.inf
         for _ in range(60):
             value = big_b * math.exp(at) + big_a * math.exp(-at) + i + scale * math.sin(omega * at + psi)
             slope = big_b * math.exp(at) - big_a * math.exp(-at) + scale * omega * math.cos(omega * at + psi)
             step = value / slope
+            if abs(step) >= before:
+                break  # nothing but rounding is left
             at -= step
-            if abs(step) <= 1e-16 * at:
-                break
+            before = abs(step)
         if not (at > tau and i * slope < 0.0):
             return times[:n], intervals[:n], 1
         if at >= math.pi / omega:

@@ -17,7 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
 CASES = os.path.join(ROOT, "target", "peers")
 PEERS = ["peer_numba", "peer_heyoka", "peer_cvode", "peer_scipy"]
-PATIENCE = 120.0  # seconds for a setting, everything included
+PATIENCE = 600.0  # seconds for a setting, everything included
 
 COLUMNS = {
     "peers": "tool,version,setting,cases,cases_lost,impacts,impacts_per_s,closed_form_ratio,worst_time_error_20,"

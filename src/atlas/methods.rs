@@ -51,7 +51,7 @@ fn run(oracle: &dyn Oracle, case: &Case) -> Run {
         |why: String| Run { impacts: Vec::new(), verdict: Verdict::GaveUp(why), response: None, evaluations: None };
     let observed = match ask(oracle, case).outcome {
         Outcome::Observed(observed) => observed,
-        Outcome::Declined(decline) => return nothing(format!("declines: {decline}")),
+        Outcome::Declined(_) => return nothing("declines".to_owned()),
         Outcome::Panicked(message) => return nothing(format!("panics: {message}")),
     };
     let impacts: Vec<Landing> = observed.history.impacts.iter().map(Landing::from).collect();

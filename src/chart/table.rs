@@ -80,19 +80,7 @@ impl Table {
     /// # Errors
     /// When there is no such column.
     pub fn filter(&self, column: &str, text: &str) -> Result<Self, Error> {
-        self.only(column, |field| field == text)
-    }
-
-    /// The rows in which the field of `column` is not empty: those that have such a thing at all.
-    ///
-    /// # Errors
-    /// When there is no such column.
-    pub fn only_with(&self, column: &str) -> Result<Self, Error> {
-        self.only(column, |field| !field.is_empty())
-    }
-
-    fn only(&self, column: &str, holds: impl Fn(&str) -> bool) -> Result<Self, Error> {
-        let keep: Vec<bool> = self.fields(column)?.map(|(_, field)| holds(field)).collect();
+        let keep: Vec<bool> = self.fields(column)?.map(|(_, field)| field == text).collect();
         let rows = self.rows.iter().zip(keep).filter(|(_, keep)| *keep).map(|(row, _)| row.clone()).collect();
         Ok(Self { file: self.file.clone(), columns: self.columns.clone(), rows })
     }

@@ -6,7 +6,7 @@
 //! | --- | --- | --- |
 //! | `thresholds` | at rest once a velocity, or an interval, falls below a threshold | Fig. 8b; Cusumano and Bai; Wagg and Bishop |
 //! | `ad_hoc` | at rest at the time of Eq. 65 if Eq. 76 says that the chattering is complete | Fig. 8a |
-//! | `printed` | Eqs 6-13 in doubles and in absolute time | the paper as it stands |
+//! | `as_printed` | Eqs 6-13 in doubles and in absolute time | the paper as it stands |
 //! | `one_clock` | diffsol on one clock, restarted after each impact in three ways | what one would write first |
 //! | `time_stepping` | the scheme of Moreau and Jean, with a fixed step | nonsmooth mechanics |
 //!
@@ -14,8 +14,8 @@
 //! The thresholds and the ad hoc scheme are given exact flights (the closed form), so what they do wrong is theirs alone.
 
 mod ad_hoc;
+mod as_printed;
 mod one_clock;
-mod printed;
 mod response;
 mod thresholds;
 mod time_stepping;
@@ -23,8 +23,8 @@ mod time_stepping;
 use contract::{Case, Impact};
 
 pub use ad_hoc::AdHoc;
+pub use as_printed::PrintedInDoubles;
 pub use one_clock::OneClock;
-pub use printed::PrintedInDoubles;
 pub use response::{Response, SAMPLES, sample_times};
 pub use thresholds::{Rule, Threshold};
 pub use time_stepping::MoreauJean;

@@ -1,6 +1,6 @@
 //! The charts, each drawn from the file.
 
-use crate::chart::{Axis, Chart, Error, LineChart, Panel, Table};
+use crate::chart::{Axis, Chart, Draw, Error, LineChart, Panel, Point, Series, Table};
 
 /// All of them.
 pub const CHARTS: [Chart; 6] = [
@@ -25,13 +25,23 @@ fn panels(table: &Table, families: &[&str], x: &str, y: &str) -> Result<Vec<Pane
         let mut series = Vec::new();
         for (family, rows) in rows.groups("family")? {
             if families.iter().any(|wanted| family.starts_with(wanted)) {
-                let of_it = rows.only_with(x)?.series("family", x, y)?;
-                series.extend(of_it.into_iter().map(|series| series.with_least(FLOOR)));
+                // The settings of a peer are ways to use it and no sequence.
+                let draw = if family.ends_with("(peer)") { Draw::Markers } else { Draw::Both };
+                series.push(Series::new(family, points(&rows, x, y)?).with_draw(draw).with_least(FLOOR));
             }
         }
         Ok(Panel::new(format!("{share} of the way to the critical amplitude"), series))
     };
     groups.map(panel).collect()
+}
+
+/// The settings that have such a cost: with an error, or failed. One without either was not asked for this number.
+fn points(rows: &Table, x: &str, y: &str) -> Result<Vec<Point>, Error> {
+    let places = rows.numbers(x)?.into_iter().zip(rows.numbers(y)?).zip(rows.texts("outcome")?);
+    let asked = |((x, y), outcome): ((Option<f64>, Option<f64>), &str)| {
+        (y.is_some() || !outcome.is_empty()).then_some(Point { x: x?, y })
+    };
+    Ok(places.filter_map(asked).collect())
 }
 
 fn chart(
