@@ -10,7 +10,7 @@
 //! 5. [`verify`] does this for all cases and makes a [`report`]; [`shrink`] and [`replay`] make something small of what failed.
 //!
 //! Beside the gate: [`diagnose`] measures where the asymptotic series breaks, [`critical`] knows the critical amplitude, [`scene`] reads blocks and
-//! ground motions in physical units, and [`chart`] draws what was written as CSV.
+//! ground motions in physical units, [`response`] follows them from rest to rest, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
 pub mod case_file;
@@ -33,6 +33,7 @@ pub mod panel;
 pub mod reference;
 pub mod replay;
 pub mod report;
+pub mod response;
 pub mod scene;
 pub mod shrink;
 pub mod tolerance;

@@ -10,6 +10,7 @@ mod output;
 mod reference;
 mod replay;
 mod report_files;
+mod response;
 mod scene;
 mod simulate;
 mod tolerances;
@@ -42,6 +43,7 @@ enum Command {
     DetectionFloor(detection_floor::Arguments),
     Diagnose(diagnose::Arguments),
     Scene(scene::Arguments),
+    Response(response::Arguments),
 }
 
 /// What a command that ran came to.
@@ -70,6 +72,7 @@ pub(crate) fn run() -> ExitCode {
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
+        Command::Response(arguments) => response::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

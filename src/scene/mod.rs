@@ -3,6 +3,7 @@
 //! Unknown keys, missing ones and impossible values are errors that name the line.
 
 mod file;
+mod response;
 
 use std::{f64::consts::TAU, fmt, ops::Range};
 

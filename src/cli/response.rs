@@ -1,0 +1,218 @@
+use std::path::PathBuf;
+
+use anyhow::{anyhow, ensure};
+use chattercheck::{
+    panel::{self, Settings},
+    response::{Bout, BoutEnd, Condition, Request, Response, Termination, Window},
+    scene::Scene,
+};
+use clap::{Args, ValueEnum};
+use contract::{Invalid, Model};
+use serde::Serialize;
+
+use super::{
+    Verdict,
+    case_flags::{number, read_scene},
+    output::print,
+};
+
+/// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
+///
+/// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
+/// multiples of the threshold of rocking (g tan alpha, or g alpha for the linear model); state is rest, rocking or overturned. At an impact there are two
+/// rows: just before and just after it. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
+///
+/// Followed until the block rests after the motion; a motion without end for 5 cycles.
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The scene, in TOML; see `chattercheck scene`
+    scene: PathBuf,
+    /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
+    #[arg(long, value_enum)]
+    model: Option<ModelName>,
+    /// How chattering is ended: exactly, where its infinite sum accumulates; or by a scheme of the paper's Section 5.2
+    #[arg(long, value_enum, default_value_t = Scheme::Exact)]
+    termination: Scheme,
+    /// For the velocity threshold: VelTol/(p alpha)
+    #[arg(long, value_name = "V", allow_hyphen_values = true, value_parser = number)]
+    velocity_threshold: Option<f64>,
+    /// For the chattering threshold: the fit of the critical amplitude below which it applies
+    #[arg(long, value_enum, default_value_t = Fit::Eq76)]
+    condition: Fit,
+    /// Follow the block to this time tau at the most
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    until: Option<f64>,
+    /// Print the response from this time tau on, to see more of a part
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    from: Option<f64>,
+    /// Print it to this time tau
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    to: Option<f64>,
+    /// Into how many steps the printed part is divided
+    #[arg(long, value_name = "N", default_value_t = 1000, allow_negative_numbers = true)]
+    steps: usize,
+    /// Output format: the history as CSV, or what happens as JSON
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Csv,
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ModelName {
+    Linear,
+    Nonlinear,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Scheme {
+    Exact,
+    Velocity,
+    Chattering,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Fit {
+    Eq76,
+    Eq77,
+}
+
+/// Times are `τ` since the start of the motion.
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    model: &'static str,
+    a: f64,
+    omega: f64,
+    eta: f64,
+    /// `p`, 1/s: a time over it is in seconds.
+    frequency_parameter: f64,
+    bouts: Vec<BoutRow>,
+    rests: Vec<RestRow>,
+    end: f64,
+}
+
+#[derive(Serialize)]
+struct BoutRow {
+    from: f64,
+    to: f64,
+    /// How many impacts were resolved; infinitely many follow where the ending is `complete`.
+    impacts: usize,
+    ending: &'static str,
+    /// What is expected to be wrong with `to`, where chattering is complete.
+    uncertainty: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct RestRow {
+    from: f64,
+    to: f64,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let mut scene = read_scene(&arguments.scene)?;
+    if let Some(model) = arguments.model {
+        scene.ask.model = match model {
+            ModelName::Linear => Model::Linear,
+            ModelName::Nonlinear => Model::Nonlinear,
+        };
+    }
+    let request = scene.response(arguments.until, arguments.termination()?)?;
+    let (name, model) = match scene.ask.model {
+        Model::Linear => ("closed-form", "linear"),
+        Model::Nonlinear => ("taylor", "nonlinear"),
+    };
+    let oracle = panel::one(name, &Settings::default(), model)?;
+    let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
+    match arguments.format {
+        Format::Json => print(&(serde_json::to_string_pretty(&document(&scene, model, &request, &response))? + "\n"))?,
+        Format::Csv => {
+            let window = arguments.window(response.end)?;
+            let samples =
+                response.samples(oracle.as_ref(), &request, &window).map_err(|decline| anyhow!("{decline}"))?;
+            let mut csv = csv::Writer::from_writer(std::io::stdout().lock());
+            samples.iter().try_for_each(|sample| csv.serialize(sample))?;
+            csv.flush()?;
+        }
+    }
+    eprintln!("{name}: {}", summary(&response));
+    let lost = response.bouts.iter().any(|bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts));
+    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
+}
+
+impl Arguments {
+    fn termination(&self) -> anyhow::Result<Termination> {
+        ensure!(
+            self.velocity_threshold.is_none() || self.termination == Scheme::Velocity,
+            Invalid::new(
+                "velocity-threshold",
+                self.velocity_threshold.unwrap_or_default(),
+                "only with --termination velocity"
+            )
+        );
+        Ok(match self.termination {
+            Scheme::Exact => Termination::Exact,
+            Scheme::Chattering => Termination::ChatteringThreshold(match self.condition {
+                Fit::Eq76 => Condition::Eq76,
+                Fit::Eq77 => Condition::Eq77,
+            }),
+            Scheme::Velocity => Termination::VelocityThreshold(self.velocity_threshold.ok_or_else(|| {
+                Invalid::new("velocity-threshold", "none", "a speed above 0 (in p alpha), with --termination velocity")
+            })?),
+        })
+    }
+
+    fn window(&self, end: f64) -> Result<Window, Invalid> {
+        const MOST_STEPS: usize = 1_000_000;
+        let (from, to) = (self.from.unwrap_or(0.0), self.to.unwrap_or(end));
+        if !(from >= 0.0 && from < end) && end > 0.0 {
+            return Err(Invalid::new("from", format!("{from:?}"), "from 0 to the end of the response"));
+        }
+        if !(to > from && to.is_finite()) && end > 0.0 {
+            return Err(Invalid::new("to", format!("{to:?}"), "after --from"));
+        }
+        if !(1..=MOST_STEPS).contains(&self.steps) {
+            return Err(Invalid::new("steps", self.steps, "1 to 1000000"));
+        }
+        Ok(Window { from, to, steps: self.steps })
+    }
+}
+
+fn document<'a>(scene: &'a Scene, model: &'static str, request: &Request, response: &Response) -> Document<'a> {
+    Document {
+        title: &scene.title,
+        model,
+        a: request.case.amplitude(),
+        omega: request.case.omega(),
+        eta: request.case.eta(),
+        frequency_parameter: scene.block.frequency_parameter(),
+        bouts: response.bouts.iter().map(row).collect(),
+        rests: response.rests().into_iter().map(|(from, to)| RestRow { from, to }).collect(),
+        end: response.end,
+    }
+}
+
+fn row(bout: &Bout) -> BoutRow {
+    let uncertainty = match bout.outcome {
+        BoutEnd::Complete { uncertainty } => Some(uncertainty),
+        _ => None,
+    };
+    BoutRow { from: bout.begin(), to: bout.end(), impacts: bout.impacts(), ending: bout.outcome.name(), uncertainty }
+}
+
+fn summary(response: &Response) -> String {
+    let impacts: usize = response.bouts.iter().map(Bout::impacts).sum();
+    match response.bouts.last() {
+        None => "the block never rocks".to_owned(),
+        Some(last) => format!(
+            "{} times of rocking, {impacts} impacts resolved; the last one ends at tau = {}: {}",
+            response.bouts.len(),
+            last.end(),
+            last.outcome.name()
+        ),
+    }
+}

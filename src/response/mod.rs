@@ -1,0 +1,184 @@
+//! The whole response of a block to a sinusoid that may start at any phase and end at any time: rest until the threshold, rocking, chattering into
+//! rest, rocking again in the next lobe, free rocking after the end, and overturning.
+//!
+//! The response is made of flights, which a [`FlightSolver`](contract::FlightSolver) follows one at a time: `closed-form` for Eq. 4, `taylor` for
+//! Eq. 2. Chattering is closed as an infinite sum unless one of the schemes of Section 5.2 is asked for.
+
+mod lobes;
+mod run;
+mod sample;
+mod termination;
+
+use std::sync::Arc;
+
+use contract::{Arrival, Case, Decline, Departure, Invalid, Loss, Oracle};
+
+pub use lobes::{Lobe, Lobes};
+pub use sample::{Sample, State, Window};
+pub use termination::{Condition, Termination};
+
+/// A motion of the ground, and how far the block is followed. All times are `τ`, from the start of the motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Amplitude, frequency and restitution, and the slenderness for the nonlinear model, measured against the threshold of that model: `g α` for the
+    /// linear one, `g tan α` for the nonlinear one.
+    pub case: Case,
+    /// The phase of the motion at `τ = 0` in radians; `None` for the threshold, growing.
+    pub phase: Option<f64>,
+    /// When the motion ends, `τ_ex`; `None` for never.
+    pub lasts: Option<f64>,
+    /// When the response ends at the latest; infinite for once nothing can happen any more.
+    pub until: f64,
+    /// How chattering is ended.
+    pub termination: Termination,
+    /// How many impacts are followed at the most.
+    pub most_impacts: usize,
+}
+
+/// A whole response. Between its bouts the block rests.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Response {
+    /// The excitation.
+    pub lobes: Lobes,
+    /// When it ends.
+    pub lasts: Option<f64>,
+    /// The times of rocking, in order.
+    pub bouts: Vec<Bout>,
+    /// When the response ends.
+    pub end: f64,
+}
+
+/// Rocking from rest to rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bout {
+    /// The lobe of the excitation that set it off. Times in a bout are counted from the start of the lobe, and signs are those of a lobe to the positive
+    /// side.
+    pub lobe: Lobe,
+    /// When it starts: 0 unless the ground acceleration was above the threshold already.
+    pub start: f64,
+    /// When it ends.
+    pub duration: f64,
+    /// The flights in order.
+    pub flights: Arc<Vec<Flight>>,
+    /// Why it ends.
+    pub outcome: BoutEnd,
+}
+
+/// One flight of a bout.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// When it starts.
+    pub start: f64,
+    /// How long it lasts.
+    pub duration: f64,
+    /// How it starts.
+    pub departure: Departure,
+    /// How it ends; in the air where the ground comes to rest, or the response ends.
+    pub arrival: Arrival,
+}
+
+/// Why a bout ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BoutEnd {
+    /// With rest, where infinitely many impacts accumulate; with the error that is expected of when.
+    Complete {
+        /// Absolute, in `τ`.
+        uncertainty: f64,
+    },
+    /// With rest, by the velocity threshold.
+    VelocityThreshold,
+    /// With rest, by the chattering threshold.
+    ChatteringThreshold,
+    /// With overturning.
+    Overturned,
+    /// With the end of the response, while it rocks.
+    Cut,
+    /// With the limit of impacts.
+    TooManyImpacts,
+    /// With the loss of the sequence.
+    Lost(Loss),
+}
+
+impl BoutEnd {
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Complete { .. } => "complete",
+            Self::VelocityThreshold => "velocity-threshold",
+            Self::ChatteringThreshold => "chattering-threshold",
+            Self::Overturned => "overturned",
+            Self::Cut => "rocking",
+            Self::TooManyImpacts => "too-many-impacts",
+            Self::Lost(_) => "lost",
+        }
+    }
+
+    /// Whether the block then rests.
+    pub fn is_rest(self) -> bool {
+        matches!(self, Self::Complete { .. } | Self::VelocityThreshold | Self::ChatteringThreshold)
+    }
+}
+
+impl Bout {
+    /// When it begins, since the start of the motion.
+    pub fn begin(&self) -> f64 {
+        self.lobe.start + self.start
+    }
+
+    /// When it ends, since the start of the motion.
+    pub fn end(&self) -> f64 {
+        self.lobe.start + self.duration
+    }
+
+    /// How many impacts are resolved.
+    pub fn impacts(&self) -> usize {
+        self.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. })).count()
+    }
+}
+
+impl Response {
+    /// The response, by the flights of `oracle`.
+    ///
+    /// # Errors
+    /// When the oracle declines, because it has no flights or can't do the case.
+    pub fn new(oracle: &dyn Oracle, request: &Request) -> Result<Self, Decline> {
+        if request.case.epsilon() <= 0.0 {
+            // Below the threshold nothing ever happens.
+            let end = if request.until.is_finite() { request.until } else { request.lasts.unwrap_or(0.0) };
+            let lobes = Lobes::new(&request.case, request.phase);
+            return Ok(Self { lobes, lasts: request.lasts, bouts: Vec::new(), end });
+        }
+        let solver = oracle.flights(&request.case)?;
+        Ok(run::follow(request, solver.as_ref()))
+    }
+
+    /// The times of rest, each from and to.
+    pub fn rests(&self) -> Vec<(f64, f64)> {
+        let begins = self.bouts.iter().map(Bout::begin).chain([self.end]);
+        let ends = [0.0]
+            .into_iter()
+            .chain(self.bouts.iter().map(|bout| if bout.outcome.is_rest() { bout.end() } else { self.end }));
+        ends.zip(begins).filter(|(from, to)| to > from).collect()
+    }
+}
+
+impl Request {
+    /// How many impacts are followed unless told otherwise.
+    pub const MOST_IMPACTS: usize = 1_000_000;
+
+    /// The response to a case as it stands: a motion that starts at the threshold and lasts `lasts`.
+    ///
+    /// # Errors
+    /// When a time is not above 0.
+    pub fn new(case: Case, lasts: Option<f64>, until: f64) -> Result<Self, Invalid> {
+        for (field, value) in [("duration", lasts.unwrap_or(1.0)), ("until", until)] {
+            if value.is_nan() || value <= 0.0 {
+                return Err(Invalid::new(field, format!("{value:?}"), "above 0 (in τ)"));
+            }
+        }
+        if lasts.is_none() && until.is_infinite() {
+            return Err(Invalid::new("until", "none", "a time (in τ) for a motion that does not end"));
+        }
+        Ok(Self { case, phase: None, lasts, until, termination: Termination::Exact, most_impacts: Self::MOST_IMPACTS })
+    }
+}

@@ -1,0 +1,40 @@
+//! The response that a scene asks for.
+
+use contract::{Case, Invalid, Model, Normalisation, Slenderness};
+
+use super::{Amplitude, Scene};
+use crate::response::{Request, Termination};
+
+/// How many cycles of a motion without end are followed unless told otherwise.
+const CYCLES: f64 = 5.0;
+
+impl Scene {
+    /// The request for the response to this scene: from the start of the ground motion, to its end and until the block rests after it, or for 5 cycles
+    /// of a motion without end; `until` limits both, in `τ`.
+    ///
+    /// # Errors
+    /// When the numbers leave the range of a case, or a threshold or `until` is not above 0.
+    pub fn response(&self, until: Option<f64>, termination: Termination) -> Result<Request, Invalid> {
+        let case = self.threshold_case()?;
+        let p = self.block.frequency_parameter();
+        let lasts = self.ground.duration.map(|seconds| seconds * p);
+        let limit = if lasts.is_some() { f64::INFINITY } else { CYCLES * std::f64::consts::TAU / case.omega() };
+        let request = Request::new(case, lasts, until.unwrap_or(limit))?;
+        Ok(Request { phase: self.ground.phase, termination: termination.check()?, ..request })
+    }
+
+    /// The case with its amplitude over the threshold of its own model, `g α` or `g tan α`, as responses are counted.
+    fn threshold_case(&self) -> Result<Case, Invalid> {
+        let a = match self.ground.amplitude {
+            Amplitude::OverSlenderThreshold(a) if self.ask.model == Model::Linear => a,
+            _ => self.over_threshold(),
+        };
+        let case = Case::from_amplitude(a, self.omega(), self.block.restitution)?;
+        Ok(match self.ask.model {
+            Model::Linear => case,
+            Model::Nonlinear => {
+                case.with_slenderness(Slenderness::new(self.block.slenderness, Normalisation::Threshold)?)
+            }
+        })
+    }
+}
