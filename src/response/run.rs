@@ -9,8 +9,10 @@ use crate::zeno;
 
 /// A sum is closed once its error is at most this, relative to the time since the threshold.
 const ACCURACY: f64 = 1e-13;
-/// Or after so many impacts since it has been certain that the block comes to rest: more do not help.
-const MOST_CERTAIN_IMPACTS: usize = 1000;
+/// Impacts are resolved until what is left to the accumulation is this share of the time since the threshold: less is not seen in any picture.
+const RESOLVED: f64 = 1e-9;
+/// Or until so many have followed since it has been certain that the block comes to rest: more do not help.
+const MOST_CERTAIN_IMPACTS: usize = 2000;
 /// Impacts that closing a sum can use.
 const USEFUL_IMPACTS: usize = 64;
 /// What a flight solver leaves of rounding in each interval, relative; only for the error estimate of a closed sum.
@@ -179,8 +181,12 @@ impl Runner<'_> {
             return None;
         }
         tail.certain += 1;
+        let most = tail.certain >= MOST_CERTAIN_IMPACTS;
+        if !most && tail.left(self.eta) > RESOLVED * now {
+            return None;
+        }
         let sum = tail.close(self.eta)?;
-        let enough = sum.uncertainty <= ACCURACY * sum.value || tail.certain >= MOST_CERTAIN_IMPACTS;
+        let enough = sum.uncertainty <= ACCURACY * sum.value || most;
         enough.then_some((BoutEnd::Complete { uncertainty: sum.uncertainty }, sum.value))
     }
 }
@@ -200,6 +206,12 @@ impl Tail {
         }
         let uncertainty = Uncertainty { time: f64::EPSILON * time, interval: ROUNDING, velocity: ROUNDING };
         self.impacts.push(Impact { time, interval, velocity: departure.side * departure.velocity, uncertainty });
+    }
+
+    /// What is about left, by Eq. 75.
+    fn left(&self, eta: f64) -> f64 {
+        let last: f64 = self.impacts.iter().rev().take(2).map(|impact| impact.interval).sum();
+        last * eta * eta / (1.0 - eta * eta)
     }
 
     /// When the infinitely many impacts accumulate.

@@ -1,0 +1,338 @@
+//! Whole responses: the laws that they obey, and what the command makes of scenes.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
+
+use std::f64::consts::{PI, TAU};
+
+use approx::assert_relative_eq;
+use assert_cmd::Command;
+use chattercheck::{
+    panel::{self, Settings},
+    response::{Bout, BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
+    scene::Scene,
+};
+use contract::{Arrival, Case, Ground, Horizon, Normalisation, Oracle, Slenderness};
+use proptest::prelude::*;
+
+fn oracle(name: &str) -> Box<dyn Oracle> {
+    panel::one(name, &Settings::default(), "nonlinear").unwrap()
+}
+
+fn both() -> [Box<dyn Oracle>; 2] {
+    [oracle("closed-form"), oracle("taylor")]
+}
+
+fn case(epsilon: f64, omega: f64, eta: f64) -> Case {
+    let slenderness = Slenderness::new(0.2, Normalisation::Threshold).unwrap();
+    Case::from_epsilon(epsilon, omega, eta).unwrap().with_slenderness(slenderness)
+}
+
+/// A motion of `cycles` that starts at the threshold.
+fn request(epsilon: f64, omega: f64, eta: f64, cycles: f64) -> Request {
+    Request::new(case(epsilon, omega, eta), Some(cycles * TAU / omega), f64::INFINITY).unwrap()
+}
+
+fn respond(oracle: &dyn Oracle, request: &Request) -> Response {
+    Response::new(oracle, request).unwrap()
+}
+
+fn rows(oracle: &dyn Oracle, request: &Request, response: &Response, steps: usize) -> Vec<Sample> {
+    response.samples(oracle, request, &Window { from: 0.0, to: response.end, steps }).unwrap()
+}
+
+fn impact_times(bout: &Bout) -> Vec<f64> {
+    let hits = bout.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. }));
+    hits.map(|flight| bout.lobe.start + flight.start + flight.duration).collect()
+}
+
+/// The first bout is the history of the case, and its end the chattering time, which the enclosure proves.
+#[test]
+fn the_first_bout_is_the_history_of_the_case() {
+    for (oracle, judge) in both().iter().zip(panel::judges()) {
+        for (epsilon, omega, eta) in [(0.03, 2.0, 0.92), (0.01, 5.0, 0.92), (0.06, 1.3, 0.8)] {
+            let request = request(epsilon, omega, eta, 2.5);
+            let bout = &respond(oracle.as_ref(), &request).bouts[0];
+            let history = oracle.history(&request.case.with_max_impacts(400).unwrap()).unwrap();
+            for (time, expected) in impact_times(bout).iter().zip(&history.impacts) {
+                assert_relative_eq!(*time, expected.time, max_relative = 1e-13);
+            }
+            let BoutEnd::Complete { uncertainty } = bout.outcome else { panic!("{:?}", bout.outcome) };
+            let proven = judge.history(&request.case.with_max_impacts(60).unwrap()).unwrap().chattering_time.unwrap();
+            // The linear stepper's own rounding is not in the estimate for the closed sum: 1e-14 is ample for it.
+            let off = (bout.end() - proven.value).abs();
+            assert!(off <= uncertainty + proven.uncertainty + 1e-14, "{}: {off}", oracle.name());
+        }
+    }
+}
+
+/// Incomplete chattering goes on over `T/2` and beyond, as an independent method says: diffsol.
+#[test]
+fn incomplete_chattering_goes_on_as_the_ode_solvers_say() {
+    for (oracle, ode) in both().iter().zip(["ode/linear/tsit45", "ode/nonlinear/tsit45"]) {
+        let request = request(0.05, 2.0, 0.92, 2.5);
+        let response = respond(oracle.as_ref(), &request);
+        assert_eq!(response.bouts.len(), 1, "it never rests while the ground moves");
+        let until = 2.4 * PI;
+        let case = request.case.with_horizon(Horizon::Until(until)).unwrap().with_max_impacts(1000).unwrap();
+        let history = panel::one(ode, &Settings::default(), "linear").unwrap().history(&case).unwrap();
+        let times = impact_times(&response.bouts[0]);
+        let before = times.iter().filter(|time| **time < until).count();
+        assert_eq!(before, history.impacts.len());
+        for (time, expected) in times.iter().zip(&history.impacts) {
+            assert!((time - expected.time).abs() < 1e-7, "{}: {time} {}", oracle.name(), expected.time);
+        }
+        // After the ground has come to rest the block rocks freely, and its own infinite sequence ends in rest.
+        assert!(matches!(response.bouts[0].outcome, BoutEnd::Complete { .. }));
+        assert!(response.bouts[0].flights.iter().any(|flight| flight.departure.ground == Ground::Still));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Complete chattering repeats itself in each half period, mirrored.
+    #[test]
+    fn every_half_period_mirrors_the_one_before(share in 0.05..0.95f64, omega in 0.5..8.0f64, eta in 0.5..0.97f64) {
+        let critical = chattercheck::critical::interpolated(omega, eta).unwrap();
+        let request = request(share * critical, omega, eta, 2.0);
+        // Nonlinear blocks come to rest a little later, so the linear one only.
+        let oracle = oracle("closed-form");
+        let response = respond(oracle.as_ref(), &request);
+        prop_assert_eq!(response.bouts.len(), 4);
+        let solver = oracle.flights(&request.case).unwrap();
+        let samples = rows(oracle.as_ref(), &request, &response, 400);
+        for sample in samples.iter().filter(|sample| sample.tau > PI / omega && sample.state == State::Rocking) {
+            // The same moment in the first half period, by the flight that it lies in.
+            let earlier = sample.tau % (PI / omega);
+            let odd = ((sample.tau / (PI / omega)).floor() as i64) % 2 == 1;
+            let mut inside = response.bouts[0].flights.iter().filter(|f| f.start <= earlier && earlier <= f.start + f.duration);
+            let Some(flight) = inside.next() else { continue };
+            let (rotation, _) = solver.motion(&flight.departure, earlier - flight.start);
+            let expected = flight.departure.side * rotation * if odd { -1.0 } else { 1.0 };
+            prop_assert!((sample.phi - expected).abs() < 1e-12, "{} {}", sample.phi, expected);
+        }
+    }
+
+    /// Shifting the phase by half a turn mirrors the response, by a whole turn changes nothing.
+    #[test]
+    fn phases_a_turn_apart_are_the_same_and_half_a_turn_the_mirror_image(
+        epsilon in 0.005..0.2f64, omega in 0.5..6.0f64, phase in 0.0..TAU,
+    ) {
+        for oracle in both() {
+            let of = |phase: f64| {
+                let request = Request { phase: Some(phase), ..request(epsilon, omega, 0.9, 1.5) };
+                let response = respond(oracle.as_ref(), &request);
+                (rows(oracle.as_ref(), &request, &response, 50), response)
+            };
+            let ((here, response), (half, mirrored), (whole, again)) = (of(phase), of(phase + PI), of(phase + TAU));
+            prop_assert_eq!(response.bouts.len(), mirrored.bouts.len());
+            prop_assert_eq!(response.bouts.len(), again.bouts.len());
+            // Times of the same rows differ by rounding of the phase, amplified by the case.
+            for (one, other) in here.iter().zip(&whole) {
+                prop_assert!((one.phi - other.phi).abs() < 1e-8 && (one.tau - other.tau).abs() < 1e-8);
+            }
+            for (one, other) in here.iter().zip(&half) {
+                prop_assert!((one.phi + other.phi).abs() < 1e-8 && (one.tau - other.tau).abs() < 1e-8);
+            }
+        }
+    }
+
+    /// Each flight starts where the last one ended, with η times its speed, on the other side; and no impact adds energy.
+    #[test]
+    fn impacts_join_flights_and_take_energy(epsilon in 0.005..0.6f64, omega in 0.5..6.0f64, eta in 0.5..0.97f64, phase in 0.0..TAU) {
+        for oracle in both() {
+            let request = Request { phase: Some(phase), ..request(epsilon, omega, eta, 2.0) };
+            for bout in &respond(oracle.as_ref(), &request).bouts {
+                for two in bout.flights.windows(2) {
+                    prop_assert!((two[0].start + two[0].duration - two[1].start).abs() < 1e-12);
+                    let departure = two[1].departure;
+                    match two[0].arrival {
+                        Arrival::Impact { speed, .. } => {
+                            prop_assert_eq!(departure.side, -two[0].departure.side);
+                            prop_assert_eq!(departure.velocity, eta * speed);
+                            prop_assert!(departure.velocity < speed && departure.rotation == 0.0);
+                        }
+                        Arrival::Aloft { rotation, velocity } => {
+                            prop_assert_eq!((departure.rotation, departure.velocity), (rotation, velocity));
+                        }
+                        other => prop_assert!(false, "a flight after {other:?}"),
+                    }
+                }
+            }
+        }
+    }
+
+    /// Rest ends where the ground acceleration reaches the threshold again, with the block turning against it.
+    #[test]
+    fn rocking_starts_at_the_threshold_against_the_ground(epsilon in 0.005..0.3f64, omega in 0.5..6.0f64, phase in 0.0..TAU) {
+        let request = Request { phase: Some(phase), ..request(epsilon, omega, 0.8, 3.0) };
+        let oracle = oracle("closed-form");
+        let response = respond(oracle.as_ref(), &request);
+        for bout in &response.bouts {
+            let f = response.lobes.acceleration(bout.begin());
+            let first = bout.flights[0];
+            prop_assert!(f.abs() >= 1.0 - 1e-10 && (f.abs() <= 1.0 + 1e-10 || bout.begin() == 0.0), "{f}");
+            prop_assert_eq!(bout.lobe.mirror * first.departure.side, -f.signum());
+        }
+        for (from, to) in response.rests() {
+            let moving = to.min(request.lasts.unwrap());
+            for part in 1..20 {
+                let tau = from + (moving - from) * f64::from(part) / 20.0;
+                prop_assert!(tau >= moving || response.lobes.acceleration(tau).abs() <= 1.0 + 1e-10);
+            }
+        }
+    }
+
+    /// Rows are as dense as asked for, and not many more.
+    #[test]
+    fn rows_are_dense_but_not_many(epsilon in 0.005..0.06f64, steps in 20..600usize, eta in 0.6..0.96f64) {
+        let request = request(epsilon, 2.0, eta, 2.5);
+        let oracle = oracle("closed-form");
+        let response = respond(oracle.as_ref(), &request);
+        let rows = rows(oracle.as_ref(), &request, &response, steps);
+        let step = response.end / steps as f64;
+        prop_assert!(rows.len() < 40 * steps + 1000, "{}", rows.len());
+        for two in rows.windows(2) {
+            let gap = two[1].tau - two[0].tau;
+            prop_assert!(gap > -1e-12 && gap < 1.3 * step, "{gap} {step} at {}", two[0].tau);
+        }
+    }
+}
+
+/// In physical units the response depends on nothing but the dimensionless numbers.
+#[test]
+fn size_and_gravity_cancel() {
+    let scene = |radius: f64, gravity: f64| {
+        let text = format!(
+            "[block]\nradius = {radius}\nslenderness = 0.2\nrestitution = 0.9\ngravity = {gravity}\n[ground]\namplitude = {{ over-threshold = 1.02 \
+             }}\nfrequency = {{ omega = 3 }}\nduration = {{ cycles = 1.5 }}\nphase = 0.3\n"
+        );
+        Scene::parse(&text).unwrap().response(None, Termination::Exact).unwrap()
+    };
+    let (here, moon) = (scene(7.3575, 9.81), scene(0.5, 1.62));
+    let oracle = oracle("taylor");
+    let (one, other) = (respond(oracle.as_ref(), &here), respond(oracle.as_ref(), &moon));
+    assert_relative_eq!(one.end, other.end, max_relative = 1e-14);
+    assert_eq!(one.bouts.len(), 3);
+    for (one, other) in one.bouts.iter().zip(&other.bouts) {
+        assert_relative_eq!(one.end(), other.end(), max_relative = 1e-13);
+    }
+}
+
+/// Figs 10 and 11: below the critical amplitude all schemes rest; above it a velocity threshold that is too large stops what does not stop.
+#[test]
+fn the_schemes_of_section_5_2() {
+    let oracle = oracle("closed-form");
+    let of = |epsilon: f64, termination| {
+        respond(oracle.as_ref(), &Request { termination, ..request(epsilon, 2.0, 0.92, 2.5) })
+    };
+    let chattering = Termination::ChatteringThreshold(Condition::Eq76);
+    // Fig. 10
+    let (exact, slow, series) =
+        (of(0.03, Termination::Exact), of(0.03, Termination::VelocityThreshold(5e-10)), of(0.03, chattering));
+    for response in [&exact, &slow, &series] {
+        assert_eq!(response.bouts.len(), 5);
+    }
+    assert_eq!(slow.bouts[0].outcome, BoutEnd::VelocityThreshold);
+    assert!(slow.bouts[0].end() < exact.bouts[0].end() && exact.bouts[0].end() - slow.bouts[0].end() < 1e-6);
+    assert_eq!(series.bouts[0].outcome, BoutEnd::ChatteringThreshold);
+    // Eq. 65 gives 0.70298 of the half period, the truth is 0.71680; the first impact after it ends the motion.
+    let share = series.bouts[0].end() / (PI / 2.0);
+    assert!((0.70298..0.7168).contains(&share), "{share}");
+    // Fig. 11
+    let (exact, slow, fast, series) = (
+        of(0.05, Termination::Exact),
+        of(0.05, Termination::VelocityThreshold(5e-10)),
+        of(0.05, Termination::VelocityThreshold(5e-2)),
+        of(0.05, chattering),
+    );
+    assert_eq!(exact.bouts.len(), 1);
+    assert_eq!(exact.bouts, series.bouts, "the chattering threshold does not apply above a_cr");
+    let shaken = |response: &Response| response.bouts.iter().filter(|bout| bout.end() < 2.4 * PI).count();
+    assert_eq!((shaken(&exact), shaken(&slow)), (0, 0));
+    assert!(shaken(&fast) >= 4, "the large threshold stops it in each half period");
+}
+
+/// A sequence that accumulates before the time of Eq. 65 has passed is closed, and does not go on for ever.
+#[test]
+fn a_chattering_threshold_that_comes_too_late_does_not_stall() {
+    let oracle = oracle("closed-form");
+    // Near the threshold Eq. 65 is too late.
+    let termination = Termination::ChatteringThreshold(Condition::Eq77);
+    let response = respond(oracle.as_ref(), &Request { termination, ..request(0.005, 2.0, 0.92, 1.0) });
+    assert!(
+        response.bouts.iter().all(|bout| matches!(bout.outcome, BoutEnd::Complete { .. })),
+        "{:?}",
+        response.bouts[0].outcome
+    );
+}
+
+#[test]
+fn strong_shaking_overturns_and_weak_shaking_does_nothing() {
+    for oracle in both() {
+        let strong = respond(oracle.as_ref(), &request(4.0, 0.6, 0.9, 2.0));
+        assert_eq!(strong.bouts.last().unwrap().outcome, BoutEnd::Overturned);
+        let weak = request(-0.1, 2.0, 0.9, 2.0);
+        let response = respond(oracle.as_ref(), &weak);
+        assert!(response.bouts.is_empty());
+        assert_eq!(response.rests(), [(0.0, TAU)]);
+        assert!(
+            rows(oracle.as_ref(), &weak, &response, 50).iter().all(|row| row.state == State::Rest && row.phi == 0.0)
+        );
+    }
+}
+
+fn command(arguments: &[&str]) -> (i32, String, String) {
+    let output = Command::cargo_bin("chattercheck").unwrap().args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn the_command_prints_the_history_or_what_happens() {
+    let scene = "data/scenes/paper_fig_9.toml";
+    let (status, csv, _) = command(&["response", scene]);
+    assert_eq!(status, 0);
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("tau,phi,phi_velocity,ground_acceleration,state"));
+    assert!(csv.len() < 400_000, "{} bytes", csv.len());
+    assert!(lines.all(|line| line.ends_with("rest") || line.ends_with("rocking")));
+    let (status, json, _) = command(&["response", scene, "--format", "json", "--model", "nonlinear"]);
+    assert_eq!(status, 0);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    // Over the slender threshold 1.03 is 1.016 over g tan α: other numbers, the same five times of rocking.
+    assert_eq!((json["bouts"].as_array().unwrap().len(), json["model"].as_str()), (5, Some("nonlinear")));
+    assert!(json["a"].as_f64().unwrap() < 1.02);
+}
+
+#[test]
+fn what_is_wrong_with_a_request_is_said_in_one_line() {
+    let scene = "data/scenes/paper_fig_9.toml";
+    for (arguments, expected) in [
+        (vec!["response", "no.toml"], "no.toml"),
+        (vec!["response", scene, "--termination", "velocity"], "velocity-threshold"),
+        (vec!["response", scene, "--termination", "velocity", "--velocity-threshold", "-1"], "velocity-threshold"),
+        (vec!["response", scene, "--termination", "velocity", "--velocity-threshold", "nan"], "velocity-threshold"),
+        (vec!["response", scene, "--velocity-threshold", "1e-3"], "velocity-threshold"),
+        (vec!["response", scene, "--until", "0"], "until"),
+        (vec!["response", scene, "--until", "nan"], "until"),
+        (vec!["response", scene, "--steps", "0"], "steps"),
+        (vec!["response", scene, "--steps", "-4"], "steps"),
+        (vec!["response", scene, "--from", "99"], "from"),
+        (vec!["response", scene, "--from", "2", "--to", "1"], "to"),
+    ] {
+        let (status, stdout, stderr) = command(&arguments);
+        assert_eq!((status, stdout.as_str()), (2, ""), "{arguments:?}");
+        assert!(stderr.contains(expected) && stderr.lines().count() == 1, "{arguments:?}: {stderr}");
+    }
+}
+
+/// Part of a response is the same response, seen more closely.
+#[test]
+fn a_window_shows_the_final_cycles() {
+    let scene = "data/scenes/paper_fig_9.toml";
+    let (status, csv, _) = command(&["response", scene, "--from", "1.12", "--to", "1.1259", "--steps", "300"]);
+    assert_eq!(status, 0);
+    let taus: Vec<f64> = csv.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
+    assert!(taus.iter().all(|tau| (1.12..=1.1259).contains(tau)));
+    assert!(taus.len() > 300 && taus.len() < 12_000, "{}", taus.len());
+}
