@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use assert_cmd::Command;
 use chattercheck::{
     panel::{self, Settings},
-    response::{Bout, BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
+    response::{BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
     scene::Scene,
 };
 use contract::{Arrival, Case, Ground, Horizon, Normalisation, Oracle, Slenderness};
@@ -39,11 +39,6 @@ fn rows(oracle: &dyn Oracle, request: &Request, response: &Response, steps: usiz
     response.samples(oracle, request, &Window { from: 0.0, to: response.end, steps }).unwrap()
 }
 
-fn impact_times(bout: &Bout) -> Vec<f64> {
-    let hits = bout.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. }));
-    hits.map(|flight| bout.lobe.start + flight.start + flight.duration).collect()
-}
-
 /// The first bout is the history of the case, and its end the chattering time, which the enclosure proves.
 #[test]
 fn the_first_bout_is_the_history_of_the_case() {
@@ -52,8 +47,8 @@ fn the_first_bout_is_the_history_of_the_case() {
             let request = request(epsilon, omega, eta, 2.5);
             let bout = &respond(oracle.as_ref(), &request).bouts[0];
             let history = oracle.history(&request.case.with_max_impacts(400).unwrap()).unwrap();
-            for (time, expected) in impact_times(bout).iter().zip(&history.impacts) {
-                assert_relative_eq!(*time, expected.time, max_relative = 1e-13);
+            for (time, expected) in bout.impact_times().zip(&history.impacts) {
+                assert_relative_eq!(time, expected.time, max_relative = 1e-13);
             }
             let BoutEnd::Complete { uncertainty } = bout.outcome else { panic!("{:?}", bout.outcome) };
             let proven = judge.history(&request.case.with_max_impacts(60).unwrap()).unwrap().chattering_time.unwrap();
@@ -74,7 +69,7 @@ fn incomplete_chattering_goes_on_as_the_ode_solvers_say() {
         let until = 2.4 * PI;
         let case = request.case.with_horizon(Horizon::Until(until)).unwrap().with_max_impacts(1000).unwrap();
         let history = panel::one(ode, &Settings::default(), "linear").unwrap().history(&case).unwrap();
-        let times = impact_times(&response.bouts[0]);
+        let times: Vec<f64> = response.bouts[0].impact_times().collect();
         let before = times.iter().filter(|time| **time < until).count();
         assert_eq!(before, history.impacts.len());
         for (time, expected) in times.iter().zip(&history.impacts) {

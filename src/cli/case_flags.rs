@@ -47,8 +47,8 @@ pub(crate) struct CaseFlags {
         value_parser = number
     )]
     eta: Option<f64>,
-    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that goes on:
-    /// its phase and duration, and what is asked and how accurately, are checked but not used yet
+    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that
+    /// passes the threshold and goes on; its phase and duration are for `chattercheck scene` and `chattercheck response`
     #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha"])]
     scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model

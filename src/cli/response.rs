@@ -2,7 +2,6 @@ use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
 use chattercheck::{
-    panel::{self, Settings},
     response::{Bout, BoutEnd, Condition, Request, Response, Termination, Window},
     scene::Scene,
 };
@@ -122,11 +121,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         };
     }
     let request = scene.response(arguments.until, arguments.termination()?)?;
-    let (name, model) = match scene.ask.model {
-        Model::Linear => ("closed-form", "linear"),
-        Model::Nonlinear => ("taylor", "nonlinear"),
-    };
-    let oracle = panel::one(name, &Settings::default(), model)?;
+    let oracle = scene.stepper()?;
+    let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
     let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
     match arguments.format {
         Format::Json => print(&(serde_json::to_string_pretty(&document(&scene, model, &request, &response))? + "\n"))?,

@@ -130,9 +130,15 @@ impl Bout {
         self.lobe.start + self.duration
     }
 
+    /// When the block hits its base, as far as the impacts are resolved, since the start of the motion.
+    pub fn impact_times(&self) -> impl Iterator<Item = f64> {
+        let hits = self.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. }));
+        hits.map(|flight| self.lobe.start + (flight.start + flight.duration))
+    }
+
     /// How many impacts are resolved.
     pub fn impacts(&self) -> usize {
-        self.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. })).count()
+        self.impact_times().count()
     }
 }
 

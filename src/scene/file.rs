@@ -115,7 +115,7 @@ pub enum Duration {
     Cycles(f64),
 }
 
-/// What is asked of the scene. Checked; the commands that there are do as their flags say, but for the model and the number of impacts.
+/// What is asked of the scene: `chattercheck scene` answers it. Other commands do as their flags say, but for the model and the number of impacts.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AskFields {
