@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Error, Figure};
 use crate::{
-    chart::{self, Axis, Draw, HeatMap, HeatPanel, LineChart, Panel, Series, Table},
+    chart::{self, Axis, Cell, Draw, HeatMap, HeatPanel, LineChart, Panel, Series, Table},
     critical::{eq76, interpolated},
     diagnose::{spread, text},
 };
@@ -63,16 +63,18 @@ fn lines(table: &Table) -> Result<String, chart::Error> {
 }
 
 fn map(table: &Table) -> Result<String, chart::Error> {
+    let cells = table.cells("omega", "eta", "a_cr")?.into_iter();
+    let above_one = cells.map(|cell| Cell { value: cell.value.map(|a_cr| a_cr - 1.0), ..cell });
     HeatMap {
         title: "Critical amplitude over frequency and restitution".into(),
         caption: "a_{cr} depends on η far more than on ω, and for η above 0.75 on ω only where the excitation is slow."
             .into(),
         x: Axis::linear("ω"),
         y: Axis::linear("η"),
-        colour: Axis::linear("a_{cr}"),
+        colour: Axis::linear("a_{cr} − 1"),
         columns: 1,
         missing: String::new(),
-        panels: vec![HeatPanel::new("", table.cells("omega", "eta", "a_cr")?)],
+        panels: vec![HeatPanel::new("", above_one.collect())],
     }
     .svg()
 }

@@ -124,7 +124,7 @@ fn predominance() -> Result<Measured, Error> {
     let found = format!(
         "for η from 0.75 to 0.98 and ω from 0.5 to 8 a_cr changes by up to {by_omega:.3} with ω, and by {by_eta:.3} (ω = 0.5) to {at_eight:.3} (ω = 8) with η"
     );
-    Ok(Measured::new(by_omega / by_eta, found))
+    Ok(Measured::new(by_omega / (by_omega + by_eta), found))
 }
 
 fn half_per_cent() -> Result<Measured, Error> {

@@ -60,6 +60,17 @@ impl Measured {
     fn new(deviation: f64, found: impl Into<String>) -> Self {
         Self { deviation, found: found.into() }
     }
+
+    /// The finding that something is so, to so many digits. How many there are beyond is the chance of a machine, and not said.
+    fn to_digits(deviation: f64, digits: i32, what: &str) -> Self {
+        let bound = 10.0_f64.powi(-digits);
+        let found = if deviation <= bound {
+            format!("{what}, to {digits} digits")
+        } else {
+            format!("{what}, but for {deviation:.1e}")
+        };
+        Self { deviation, found }
+    }
 }
 
 /// A claim with its measurement and verdict.

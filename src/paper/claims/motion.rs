@@ -27,9 +27,10 @@ fn closed_form() -> Result<Measured, Error> {
             worst = worst.max((printed.interval / proven.interval - 1.0).abs());
         }
     }
-    Ok(Measured::new(
+    Ok(Measured::to_digits(
         worst,
-        format!("the first {IMPACTS} intervals of Figs 2, 3a and 3b are the proven ones to all digits of a double"),
+        15,
+        &format!("the first {IMPACTS} intervals of Figs 2, 3a and 3b are the proven ones"),
     ))
 }
 
@@ -59,7 +60,7 @@ fn particular_solution() -> Result<Measured, Error> {
             worst = off.fold(worst, f64::max);
         }
     }
-    Ok(Measured::new(worst, "Eq. 4 gives the same derivatives up to the fifth, to rounding"))
+    Ok(Measured::to_digits(worst, 14, "Eq. 4 gives the same derivatives up to the fifth"))
 }
 
 fn initiation() -> Result<Measured, Error> {
@@ -74,8 +75,9 @@ fn initiation() -> Result<Measured, Error> {
         let jerk = b0 - a0 + xi[3] + a * omega * psi.cos();
         worst = motion.into_iter().chain([jerk]).fold(worst, |worst, value| worst.max(value.abs()));
     }
-    Ok(Measured::new(
+    Ok(Measured::to_digits(
         worst,
-        "rotation, velocity and acceleration vanish at τ = 0 to rounding, and the jerk is that of Eq. 4",
+        14,
+        "rotation, velocity and acceleration vanish at τ = 0, and the jerk is that of Eq. 4",
     ))
 }

@@ -71,7 +71,7 @@ fn orders_of_velocity() -> Result<Measured, Error> {
         let power = at_zero(|step| order(|epsilon| Ok(impact(epsilon, n)?.velocity), step), 1e-4)?;
         worst = worst.max((power - 1.5).abs());
     }
-    Ok(Measured::new(worst, "proven velocities after impacts 1 to 40 fall as ε^(3/2), to 4 digits of the exponent"))
+    Ok(Measured::to_digits(worst, 5, "proven velocities after impacts 1 to 40 fall as ε^(3/2)"))
 }
 
 fn cubic() -> Result<Measured, Error> {
@@ -82,7 +82,7 @@ fn cubic() -> Result<Measured, Error> {
         let printed = flights.get(n).map_or(f64::NAN, |flight| flight.duration);
         worst = worst.max((printed / exact - 1.0).abs());
     }
-    Ok(Measured::new(worst, "its root is that of proven intervals up to flight 40, to 4 digits"))
+    Ok(Measured::to_digits(worst, 7, "proven intervals up to flight 40 tend to its root"))
 }
 
 /// The cubic of Eq. 62 for an even flight, times `ω`, from the highest power down: with Eqs 51 and 60 there is no `ω` left in it.
@@ -134,10 +134,7 @@ fn opposite_flights() -> Result<Measured, Error> {
         let ratio = |epsilon: f64| Ok(impact(epsilon, n + 1)?.interval / impact(epsilon, n)?.velocity);
         worst = worst.max((at_zero(ratio, EPSILON)? - 1.0).abs());
     }
-    Ok(Measured::new(
-        worst,
-        "proven intervals of flights 1 to 39 are of order ε^(3/2), with this coefficient to 6 digits",
-    ))
+    Ok(Measured::to_digits(worst, 6, "proven intervals of flights 1 to 39 are of order ε^(3/2), with this coefficient"))
 }
 
 fn sums(eta: f64) -> Result<Coefficients, Error> {
@@ -156,11 +153,8 @@ fn first_sum() -> Result<Measured, Error> {
         let exact = at_zero(|epsilon| scaled_chattering_time(epsilon, eta), 1e-6)?;
         worst = worst.max((sums(eta)?.x / exact - 1.0).abs());
     }
-    let found = format!(
-        "proven chattering times give the first sum to 8 digits, for η from 0.5 to 0.97; ω τ_ch/ε^(1/2) tends to {:.7} at η = 0.92",
-        sums(ETA)?.x
-    );
-    Ok(Measured::new(worst, found))
+    let found = format!("proven ω τ_ch/ε^(1/2) tends to it for η from 0.5 to 0.97 ({:.7} at η = 0.92)", sums(ETA)?.x);
+    Ok(Measured::to_digits(worst, 8, &found))
 }
 
 fn second_sum() -> Result<Measured, Error> {

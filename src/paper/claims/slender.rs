@@ -39,7 +39,7 @@ fn threshold() -> Result<Measured, Error> {
     for alpha in [0.05, 0.1, ALPHA, 0.5] {
         worst = worst.max((least_amplitude(alpha)? * alpha / alpha.tan() - 1.0).abs());
     }
-    Ok(Measured::new(worst, "blocks with α from 0.05 to 0.5 begin to rock at g tan α, to 12 digits"))
+    Ok(Measured::to_digits(worst, 12, "blocks with α from 0.05 to 0.5 begin to rock at g tan α"))
 }
 
 fn slender_threshold() -> Result<Measured, Error> {

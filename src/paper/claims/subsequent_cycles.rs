@@ -52,7 +52,7 @@ fn any_derivative() -> Result<Measured, Error> {
         let [x0, x1, x2, x3, x4, x5] = xi;
         [0.0, velocity - x1 + x1, -sign - x0 + x2, velocity - x1 + x3, -sign - x0 + x4, velocity - x1 + x5]
     });
-    Ok(Measured::new(off, "Eq. 4 gives the same derivatives from the first to the fifth, to rounding"))
+    Ok(Measured::to_digits(off, 14, "Eq. 4 gives the same derivatives from the first to the fifth"))
 }
 
 fn any_derivative_as_printed_for_any_impact() -> Result<Measured, Error> {
@@ -95,7 +95,7 @@ fn sine_and_cosine() -> Result<Measured, Error> {
         let cosine = at_zero(|epsilon| Ok(forcing(epsilon, n)?.1 / epsilon.sqrt()), EPSILON)?;
         worst = worst.max((d2 / sine - 1.0).abs()).max((c1 / cosine - 1.0).abs());
     }
-    Ok(Measured::new(worst, "proven times of impacts 1 to 9 give d_{n;0}, d_{n;2} and c_{n;1} to 6 digits"))
+    Ok(Measured::to_digits(worst, 8, "proven times of impacts 1 to 9 give d_{n;0}, d_{n;2} and c_{n;1}"))
 }
 
 fn third_order_of_cosine() -> Result<Measured, Error> {
@@ -128,9 +128,10 @@ fn coefficients() -> Result<Measured, Error> {
         let off = printed.iter().zip(exact).map(|(printed, exact)| (printed - exact).abs() / (omega * omega).max(1.0));
         off.fold(worst, f64::max)
     });
-    Ok(Measured::new(
+    Ok(Measured::to_digits(
         worst,
-        "Eq. 4 gives the same coefficients, with sine and cosine whole in place of their series, to rounding",
+        14,
+        "Eq. 4 gives the same coefficients, with sine and cosine whole in place of their series",
     ))
 }
 
@@ -144,5 +145,5 @@ fn velocity_of_the_first_flight() -> Result<Measured, Error> {
         let velocity = 3.0 * third * t * t + 4.0 * fourth * t.powi(3);
         worst = worst.max((velocity / (16.0 * SQRT_2 / (3.0 * omega)) - 1.0).abs());
     }
-    Ok(Measured::new(worst, "with Eqs 31, 51 and 60 it gives 16√2/(3ω)"))
+    Ok(Measured::to_digits(worst, 14, "with Eqs 31, 51 and 60 it gives 16√2/(3ω)"))
 }

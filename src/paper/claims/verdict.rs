@@ -55,7 +55,9 @@ impl fmt::Display for Verdict {
         match self {
             Self::Holds => f.write_str("holds"),
             Self::HoldsWithin(deviation) => write!(f, "holds within {deviation}"),
-            Self::DoesNotHold(Deviation { value, unit: Unit::Cases }) => write!(f, "does not hold: {value} against it"),
+            Self::DoesNotHold(Deviation { value, unit: Unit::Cases }) => {
+                write!(f, "does not hold: {value} cases against it")
+            }
             Self::DoesNotHold(deviation) => write!(f, "does not hold: off by {deviation}"),
         }
     }
@@ -101,7 +103,7 @@ mod tests {
         assert_eq!(verdict(0.0052), "holds within 0.52 %");
         assert_eq!(verdict(0.051), "does not hold: off by 5.1 %");
         assert_eq!(verdict(f64::NAN), "does not hold: off by NaN %");
-        assert_eq!(Verdict::of(&claim(Unit::Cases), 7.0).to_string(), "does not hold: 7 against it");
+        assert_eq!(Verdict::of(&claim(Unit::Cases), 7.0).to_string(), "does not hold: 7 cases against it");
         assert_eq!(Verdict::of(&claim(Unit::Absolute), 0.012).to_string(), "holds within 0.012");
     }
 
