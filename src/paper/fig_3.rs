@@ -40,7 +40,7 @@ struct Row {
 }
 
 fn measure(a: f64, omega: f64, eta: f64) -> Result<String, Error> {
-    let impacts = observed(a, omega, eta, RATIOS + 2)?.history.impacts;
+    let impacts = observed(a, omega, eta, RATIOS + 3)?.history.impacts;
     // The flight after impact n ends with impact n + 1, the first one listed ends flight 0.
     let flights = impacts.iter().zip(impacts.iter().skip(2)).enumerate();
     let rows = flights.map(|(n, (flight, next))| Row {
