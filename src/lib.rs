@@ -10,7 +10,8 @@
 //! 5. [`verify`] does this for all cases and makes a [`report`]; [`shrink`] and [`replay`] make something small of what failed.
 //!
 //! Beside the gate: [`diagnose`] measures where the asymptotic series breaks, [`critical`] knows the critical amplitude, [`scene`] reads blocks and
-//! ground motions in physical units, [`response`] follows them from rest to rest, and [`chart`] draws what was written as CSV.
+//! ground motions in physical units, [`response`] follows them from rest to rest, [`paper`] regenerates the figures of the paper and judges its
+//! claims, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
 pub mod case_file;
@@ -30,6 +31,7 @@ pub mod laws;
 pub mod model_gap;
 pub mod observables;
 pub mod panel;
+pub mod paper;
 pub mod reference;
 pub mod replay;
 pub mod report;

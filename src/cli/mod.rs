@@ -7,6 +7,7 @@ mod detection_floor;
 mod diagnose;
 mod oracles;
 mod output;
+mod paper;
 mod reference;
 mod replay;
 mod report_files;
@@ -42,6 +43,7 @@ enum Command {
     Tolerances(tolerances::Arguments),
     DetectionFloor(detection_floor::Arguments),
     Diagnose(diagnose::Arguments),
+    Paper(paper::Arguments),
     Scene(scene::Arguments),
     Response(response::Arguments),
 }
@@ -71,6 +73,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Tolerances(arguments) => tolerances::run(&arguments),
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
+        Command::Paper(arguments) => paper::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Response(arguments) => response::run(&arguments),
     };
