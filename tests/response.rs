@@ -193,6 +193,29 @@ proptest! {
     }
 }
 
+/// The response goes on until the block rests after the motion of the ground, and every part of it is in the rows.
+#[test]
+fn a_response_ends_with_rest_after_the_motion() {
+    for oracle in both() {
+        // Ends while the block rocks, and while it rests.
+        for (cycles, rocks) in [(1.1, true), (1.45, false)] {
+            let request = request(0.03, 2.0, 0.92, cycles);
+            let lasts = request.lasts.unwrap();
+            let response = respond(oracle.as_ref(), &request);
+            let last = response.bouts.last().unwrap();
+            assert_eq!(last.end() > lasts, rocks);
+            assert_eq!(response.end, if rocks { last.end() } else { lasts });
+            let rows = rows(oracle.as_ref(), &request, &response, 300);
+            let end = rows.last().unwrap();
+            assert!((end.tau - response.end).abs() < 1e-3 && end.phi.abs() < 1e-6, "{end:?}");
+            assert_eq!(rows.iter().any(|row| row.tau > lasts + 0.1 && row.phi != 0.0), rocks);
+            assert!(rows.iter().all(|row| row.tau <= lasts || row.ground_acceleration == 0.0));
+            let short = Request { until: 1.0, ..request };
+            assert_eq!(respond(oracle.as_ref(), &short).end, 1.0);
+        }
+    }
+}
+
 /// In physical units the response depends on nothing but the dimensionless numbers.
 #[test]
 fn size_and_gravity_cancel() {

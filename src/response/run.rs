@@ -35,7 +35,8 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
     let end = loop {
         let (lobe, start) = lobes.departure(now);
         if start >= runner.lasts || start >= runner.until {
-            break runner.until;
+            // Nothing can happen any more; the motion of the ground may still go on, or have ended while the block rocked.
+            break runner.lasts.max(now).min(runner.until);
         }
         let bout = match bouts.iter().find_map(|earlier| runner.repeated(earlier, lobe, start)) {
             Some(same) => same,
@@ -49,7 +50,7 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
             break now;
         }
     };
-    Response { lobes, lasts: request.lasts, bouts, end: runner.end(end) }
+    Response { lobes, lasts: request.lasts, bouts, end }
 }
 
 struct Runner<'a> {
@@ -81,11 +82,6 @@ impl Clock {
 }
 
 impl Runner<'_> {
-    /// When the response ends that was followed up to `end`: without a limit, once nothing can happen any more.
-    fn end(&self, end: f64) -> f64 {
-        if end.is_finite() { end } else { self.lasts }
-    }
-
     /// The same bout again, a whole number of half periods later and mirrored if they are odd: if it started from rest at the threshold and was over
     /// before the ground motion or the response ends, then and now.
     fn repeated(&self, earlier: &Bout, lobe: Lobe, start: f64) -> Option<Bout> {

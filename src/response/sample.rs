@@ -65,9 +65,15 @@ impl Response {
         for bout in &self.bouts {
             rows.rest(now, bout.begin());
             rows.bout(bout, solver.as_ref());
-            now = if bout.outcome.is_rest() { bout.end() } else { self.end };
+            now = bout.end();
         }
-        rows.rest(now, self.end);
+        if self.bouts.last().is_some_and(|bout| bout.outcome.is_rest()) {
+            rows.rest(now, self.end);
+            // It may come to rest just as the response ends.
+            if rows.inside(now, now).is_some() && now >= self.end {
+                rows.push(now, 0.0, 0.0, State::Rest);
+            }
+        }
         Ok(rows.rows)
     }
 }
