@@ -32,6 +32,7 @@ pub mod model_gap;
 pub mod observables;
 pub mod panel;
 pub mod paper;
+pub mod plan;
 pub mod reference;
 pub mod replay;
 pub mod report;

@@ -8,6 +8,7 @@ mod diagnose;
 mod oracles;
 mod output;
 mod paper;
+mod plan;
 mod reference;
 mod replay;
 mod report_files;
@@ -46,6 +47,7 @@ enum Command {
     Paper(paper::Arguments),
     Scene(scene::Arguments),
     Response(response::Arguments),
+    Plan(plan::Arguments),
 }
 
 /// What a command that ran came to.
@@ -76,6 +78,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Response(arguments) => response::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,
