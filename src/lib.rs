@@ -28,6 +28,7 @@ pub mod hex_float;
 pub mod judge;
 pub mod ladder;
 pub mod laws;
+pub mod linearisation;
 pub mod model_gap;
 pub mod observables;
 pub mod panel;

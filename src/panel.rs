@@ -12,6 +12,8 @@ use ode::{Equation, Flights, Method, Ode};
 use printed::Printed;
 use taylor::Taylor;
 
+use crate::linearisation::Corrected;
+
 /// Oracles that are asked the same cases.
 pub type Panel = Vec<Box<dyn Oracle>>;
 
@@ -58,6 +60,7 @@ pub fn all() -> Panel {
     panel.extend(judges());
     panel.push(Box::new(series(Order::Resummed)));
     panel.push(Box::new(Printed::default()));
+    panel.push(Box::new(corrected()));
     for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
         panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
     }
@@ -70,6 +73,11 @@ pub fn all() -> Panel {
 /// The oracle that steps fastest and to nearly all digits, for truths of which many are needed.
 pub fn stepper() -> Box<dyn Oracle> {
     Box::new(ClosedForm)
+}
+
+/// The linear oracle corrected to first order for the slenderness of the block.
+pub fn corrected() -> Corrected {
+    Corrected::new(stepper())
 }
 
 /// The oracle with many digits by itself, for what only it can do.
@@ -207,6 +215,7 @@ pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Or
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
         "asymptotic" => return Ok(Box::new(asymptotic(settings)?)),
         "closed-form" => Box::new(ClosedForm),
+        "closed-form/corrected" => Box::new(corrected()),
         "taylor" => Box::new(Taylor),
         "printed" => Box::new(Printed::default()),
         _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),

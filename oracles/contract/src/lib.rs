@@ -24,6 +24,6 @@ mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
 pub use flight::{Arrival, Departure, FlightSolver, Ground};
-pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, Uncertainty};
+pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, SlendernessShift, Uncertainty};
 pub use invalid::Invalid;
 pub use oracle::{Decline, Model, Oracle};

@@ -1,7 +1,7 @@
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Case, FlightSolver, History, Sensitivity};
+use crate::{Case, FlightSolver, History, Sensitivity, SlendernessShift};
 
 /// One method that turns a case into an impact history.
 ///
@@ -23,6 +23,12 @@ pub trait Oracle: Send + Sync {
     /// How the impacts of that history answer to small changes of the parameters, impact by impact; `None` from an oracle that does not
     /// know, or declines the case.
     fn sensitivities(&self, _case: &Case) -> Option<Vec<Sensitivity>> {
+        None
+    }
+
+    /// How the impacts of that history, of the linear model, move when the block is less slender than the model has it, impact by impact;
+    /// `None` from an oracle that does not know, or declines the case. The slenderness of the case is not looked at.
+    fn slenderness_shifts(&self, _case: &Case) -> Option<Vec<SlendernessShift>> {
         None
     }
 
