@@ -45,9 +45,10 @@ const LINEARISATION: f64 = 0.4;
 /// The range in which that was measured, of `ω` and of `η`.
 pub const MEASURED: [std::ops::RangeInclusive<f64>; 2] = [0.5..=8.0, 0.5..=0.97];
 
-/// What is left of it with the first-order correction, in multiples of its square times the amplification: the next term in `α²`, and the curvature of the
-/// response to a change.
-const SECOND_ORDER: f64 = 4.0;
+/// What is left of it with the first-order correction: in multiples of its square times the amplification (the curvature of the response to a change),
+/// of `α² ε` and of `α⁴` times it (the next term of the equation of motion). Above what [`linearisation`](crate::linearisation) estimates after the fact, in
+/// the same range.
+const SECOND_ORDER: [f64; 3] = [4.0, 1.0, 0.03];
 
 /// The interpolant of the critical amplitude is good to far less than this of `a_cr - 1`.
 const NEXT_TO: f64 = 1e-9;
@@ -76,8 +77,9 @@ impl Place {
 
     /// What is left of it when its first order in `α²` is put back.
     pub fn second_order(&self, alpha: f64) -> f64 {
-        let first = self.linearisation(alpha);
-        SECOND_ORDER * first * (alpha * alpha + first * self.amplification)
+        let (first, squared) = (self.linearisation(alpha), alpha * alpha);
+        let [curvature, next, last] = SECOND_ORDER;
+        first * (curvature * first * self.amplification + squared * (next * self.epsilon + last * squared))
     }
 
     /// Whether it is so near to `a_cr` of the linear model, on either side, that the critical amplitude of the nonlinear model may be on its other side.
@@ -93,9 +95,10 @@ impl Place {
         self.amplification * (rounding + UNIT)
     }
 
-    /// The relative truncation error of the series of the chattering time after `terms` terms: its terms fall as those of `(1 - r)^β`.
+    /// The relative truncation error of the series of the chattering time after `terms` terms. Its coefficients fall about as those of a
+    /// singularity of the power `β = 3/5`, `c_k/c_{k-1} = (k - 3/5)/((k + 1)(a_cr - 1))`, so what is left out is below a geometric series.
     pub fn series(&self, terms: usize) -> f64 {
         let k = terms as f64;
-        self.share.powf(k) * k.powf(-1.6) / (1.0 - self.share).max(0.0)
+        0.45 * k.powf(-1.6) * self.share.powf(k) / (1.0 - self.share).max(0.0)
     }
 }

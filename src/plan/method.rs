@@ -2,12 +2,13 @@
 
 use std::fmt;
 
-use contract::Model;
+use contract::{Model, Oracle};
 
 use super::{
     Question,
     estimate::{Errors, MEASURED},
 };
+use crate::panel::{self, Settings};
 
 /// A way to answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,6 +59,17 @@ const STEPPING: f64 = 1e-14;
 const SOLVER: f64 = 1e-11;
 
 impl Method {
+    /// The oracle that it is, if it is one.
+    pub fn oracle(self, question: &Question) -> Option<Box<dyn Oracle>> {
+        let equation = if question.case.slenderness().is_some() { "nonlinear" } else { "linear" };
+        panel::one(&self.to_string(), &Settings::default(), equation).ok()
+    }
+
+    /// Whether it finds impacts, and not the chattering time alone or nothing but that there is none.
+    pub(super) fn finds_impacts(self) -> bool {
+        matches!(self, Self::Linear | Self::Corrected | Self::Nonlinear | Self::Ode | Self::Enclosure)
+    }
+
     /// The equation that it solves, if it solves one.
     fn model(self) -> Option<Model> {
         match self {
@@ -118,8 +130,8 @@ impl Method {
             Self::Nothing | Self::CriticalAmplitude => (0.0, 0.0),
             Self::Linear | Self::Nonlinear => (closing, stepping),
             Self::Corrected => (place.second_order(alpha), stepping),
-            // Of the order of one term with part of the next; it is right to that of the next but for a constant.
-            Self::PaperSeries => (place.series(1), stepping),
+            // One term and part of the next, which takes off about half of the error of one term.
+            Self::PaperSeries => (0.5 * place.series(1), stepping),
             Self::Series(terms) => (place.series(terms), stepping),
             Self::Ode => (closing, SOLVER * place.amplification),
             Self::Resummed => (1e-9 * place.amplification, stepping),

@@ -39,6 +39,9 @@ impl Question {
         Self { case, tolerance, rounding: 0.0, request: None, place: Place::of(&case) }
     }
 
+    /// The tolerance of a question that names none.
+    pub const DEFAULT_TOLERANCE: f64 = 1e-6;
+
     /// The slenderness, 0 for the linear model.
     pub fn alpha(&self) -> f64 {
         self.case.slenderness().map_or(0.0, |slenderness| slenderness.alpha())
@@ -85,10 +88,19 @@ impl Plan {
 
     /// The candidate that is chosen: the cheapest that is predicted to meet the tolerance, or if none is, the one with the smallest error.
     pub fn chosen(&self) -> Option<&Candidate> {
-        let able = |candidate: &&Candidate| candidate.errors.is_ok();
+        self.cheapest(|_| true)
+    }
+
+    /// The same among those that find impacts.
+    pub fn stepper(&self) -> Option<&Candidate> {
+        self.cheapest(Method::finds_impacts)
+    }
+
+    fn cheapest(&self, wanted: impl Fn(Method) -> bool) -> Option<&Candidate> {
+        let able = || self.candidates.iter().filter(|candidate| candidate.errors.is_ok() && wanted(candidate.method));
         let total = |candidate: &Candidate| candidate.errors.as_ref().map_or(f64::INFINITY, Errors::total);
-        let meets = self.candidates.iter().find(|candidate| candidate.meets(self.question.tolerance));
-        meets.or_else(|| self.candidates.iter().filter(able).min_by(|one, other| total(one).total_cmp(&total(other))))
+        let meets = able().find(|candidate| candidate.meets(self.question.tolerance));
+        meets.or_else(|| able().min_by(|one, other| total(one).total_cmp(&total(other))))
     }
 
     /// Runs the chosen candidate, and the ones after it as long as the answer is worse than asked.

@@ -5,7 +5,6 @@ use contract::{Ending, Estimate, Oracle};
 use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
 use crate::{
     answer::ask,
-    panel::{self, Settings},
     response::{BoutEnd, Request, Response},
 };
 
@@ -19,6 +18,8 @@ pub struct Attempt {
     pub method: Method,
     /// What it found; `None` if it had no answer.
     pub found: Option<Outcome>,
+    /// How many impacts it took.
+    pub impacts: usize,
 }
 
 /// What a method found.
@@ -62,8 +63,8 @@ pub(super) fn answer(plan: &Plan) -> Answer {
     // Then those that are dearer, as far as they are predicted to be better.
     let later = able().skip(from + 1).filter(|candidate| candidate.meets(question.tolerance));
     for candidate in able().skip(from).take(1).chain(later) {
-        let found = run(candidate, question);
-        attempts.push(Attempt { method: candidate.method, found });
+        let (found, impacts) = run(candidate, question);
+        attempts.push(Attempt { method: candidate.method, found, impacts });
         let meets = match found {
             Some(Outcome::NeverRocks | Outcome::Incomplete) => true,
             Some(Outcome::Complete(time)) => time.uncertainty <= question.tolerance * time.value,
@@ -76,24 +77,25 @@ pub(super) fn answer(plan: &Plan) -> Answer {
     Answer { attempts, meets: false }
 }
 
-fn run(candidate: &Candidate, question: &Question) -> Option<Outcome> {
-    let errors = candidate.errors.as_ref().ok()?;
-    let case = question.case;
+fn run(candidate: &Candidate, question: &Question) -> (Option<Outcome>, usize) {
+    let Ok(errors) = &candidate.errors else { return (None, 0) };
     match candidate.method {
-        Method::Nothing => Some(Outcome::NeverRocks),
-        Method::CriticalAmplitude => Some(Outcome::Incomplete),
-        Method::Linear => stepped("closed-form", question, errors),
-        Method::Nonlinear => stepped("taylor", question, errors),
-        method => {
-            let equation = if case.slenderness().is_some() { "nonlinear" } else { "linear" };
-            let oracle = panel::one(&method.to_string(), &Settings::default(), equation).ok()?;
-            let observed = ask(oracle.as_ref(), &case.with_max_impacts(IMPACTS).ok()?).into_observed()?;
-            match observed.history.ending {
-                Ending::Incomplete | Ending::Overturned => Some(Outcome::Incomplete),
-                _ => Some(Outcome::Complete(with(observed.chattering_time?, errors.model + errors.conditioning))),
-            }
-        }
+        Method::Nothing => (Some(Outcome::NeverRocks), 0),
+        Method::CriticalAmplitude => (Some(Outcome::Incomplete), 0),
+        Method::Linear | Method::Nonlinear => stepped(candidate.method, question, errors).unwrap_or((None, 0)),
+        method => asked(method, question, errors).unwrap_or((None, 0)),
     }
+}
+
+/// An oracle's answer.
+fn asked(method: Method, question: &Question, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
+    let case = question.case.with_max_impacts(IMPACTS).ok()?;
+    let observed = ask(method.oracle(question)?.as_ref(), &case).into_observed()?;
+    let outcome = match observed.history.ending {
+        Ending::Incomplete | Ending::Overturned => Some(Outcome::Incomplete),
+        _ => observed.chattering_time.map(|time| Outcome::Complete(with(time, errors.model + errors.conditioning))),
+    };
+    Some((outcome, observed.history.impacts.len()))
 }
 
 /// The estimate with a relative error that its method does not know of.
@@ -101,19 +103,20 @@ fn with(time: Estimate, relative: f64) -> Estimate {
     Estimate { uncertainty: time.uncertainty + relative * time.value, ..time }
 }
 
-fn stepped(oracle: &str, question: &Question, errors: &Errors) -> Option<Outcome> {
-    let oracle = panel::one(oracle, &Settings::default(), "linear").ok()?;
+/// Flights, no more than are needed.
+fn stepped(method: Method, question: &Question, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
+    let oracle = method.oracle(question)?;
     if let Some(request) = &question.request {
         return responded(oracle.as_ref(), request, errors);
     }
     let solver = oracle.flights(&question.case).ok()?;
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
-    match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
-        Found::Complete(time, _) => Some(Outcome::Complete(with(time, known(errors)))),
-        Found::Incomplete(_) => Some(Outcome::Incomplete),
-        Found::Undecided => None,
-    }
+    Some(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
+        Found::Complete(time, impacts) => (Some(Outcome::Complete(with(time, known(errors)))), impacts),
+        Found::Incomplete(impacts) => (Some(Outcome::Incomplete), impacts),
+        Found::Undecided => (None, 0),
+    })
 }
 
 /// What is known to be wrong beside what closing the sum leaves.
@@ -122,14 +125,15 @@ fn known(errors: &Errors) -> f64 {
 }
 
 /// The first rocking of a motion that is not that of a case.
-fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Option<Outcome> {
+fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
     let response = Response::new(oracle, request).ok()?;
-    let Some(bout) = response.bouts.first() else { return Some(Outcome::NeverRocks) };
-    match bout.outcome {
+    let Some(bout) = response.bouts.first() else { return Some((Some(Outcome::NeverRocks), 0)) };
+    let outcome = match bout.outcome {
         BoutEnd::Complete { uncertainty } => {
             Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
         }
         BoutEnd::Overturned | BoutEnd::Cut => Some(Outcome::Incomplete),
         _ => None,
-    }
+    };
+    Some((outcome, bout.impacts()))
 }
