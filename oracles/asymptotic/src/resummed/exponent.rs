@@ -20,13 +20,13 @@ use crate::number::Number;
 /// `ln δ = b + (1/β) ln y + Σ b_s y^s`, with `s = j + l/β`, `j + l > 0`,
 ///
 /// and the difference of that between places a factor of [`RATIO`] apart is linear in `1/β` and the first few `b_s`. (The periodic factor is
-/// strong in the coefficients, but in their sums on the real axis it is less than 1e-5, and over [`RATIO`] nearly a whole period for `η = 0.5`.)
+/// strong in the coefficients but hardly shows in their sums on the real axis, and [`RATIO`] is nearly a whole period of it for `η = 0.5`.)
 ///
-/// For `η` from 0.5 to 0.97 the error is below 5e-4 for `ω = 2` and above, below 6e-4 for `ω = 1`, and up to 1.4e-3 for `ω = 0.5` and `η` up to
-/// 0.6, where the claim says so.
+/// Its settings were chosen at `ω = 2`, with the formula's value in view. For `η` from 0.5 to 0.97 the error is below 5e-4 for `ω = 2`, and in the tests
+/// for 4, 6 and 8; it was up to 6e-4 for `ω = 1`, and up to 1.4e-3 for `ω = 0.5` and `η` up to 0.6, where the claim says so.
 pub fn exponent_of_coefficients(omega: f64, eta: f64, critical_epsilon: f64) -> Option<Estimate> {
     let approach = Approached::new(omega, eta, critical_epsilon)?;
-    // The powers take the exponent that was found before. (It hardly matters: 0.55 and 0.65 give the same to 2e-4.)
+    // The powers take the exponent that was found before.
     let mut exponent = START;
     let mut found = None;
     for _ in 0..ROUNDS {
@@ -47,7 +47,7 @@ const POWERS: RangeInclusive<usize> = 5..=10;
 /// Not 1/2, where the powers of `y` and of `δ` would be the same.
 const START: f64 = 0.55;
 const ROUNDS: usize = 5;
-/// Where the answers of three numbers of powers agree they were still off by up to 4e-4 (`diagnose`, and `tests/resummed.rs`).
+/// Where the answers of three numbers of powers agree they were still off by up to 4e-4 at `ω = 2` (`diagnose`, `exponents.csv`).
 const FLOOR: f64 = 5e-4;
 
 /// `ω τ_ch/ε_c^(1/2)` in powers of `ε/ε_c`.
