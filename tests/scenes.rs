@@ -126,7 +126,9 @@ fn what_is_asked_is_answered() {
     assert_eq!(code, Some(0));
     let proven: Value = serde_json::from_str(&out).unwrap();
     let proven = proven["tau_ch"].as_f64().unwrap();
-    assert!(chattering.complete && chattering.meets_tolerance == Some(true));
+    assert!(
+        chattering.complete == Some(true) && chattering.meets_tolerance == Some(true) && !chattering.after_the_motion
+    );
     let claimed = chattering.relative_uncertainty.unwrap();
     assert!((chattering.seconds.unwrap() * p / proven - 1.0).abs() <= claimed && claimed < 1e-11, "{claimed}");
     let times = answers.impact_times.unwrap();

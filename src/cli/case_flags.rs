@@ -2,6 +2,7 @@
 
 use std::{
     fs,
+    io::Read as _,
     path::{Path, PathBuf},
 };
 
@@ -10,7 +11,7 @@ use chattercheck::{
     case_file::CaseFields,
     panel::{self, Enclosure, Settings},
     plan::{Plan, Question},
-    scene::Scene,
+    scene::{self, Scene},
 };
 use clap::Args;
 use contract::{Case, Horizon, Invalid, Normalisation, Oracle, Slenderness};
@@ -89,9 +90,12 @@ impl CaseFlags {
     }
 }
 
-/// A scene file.
+/// A scene file. No more of it is read than a scene may be long, and a byte to tell that it is longer.
 pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut text = String::new();
+    let file = fs::File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let read = file.take(scene::MOST_BYTES as u64 + 1).read_to_string(&mut text);
+    read.with_context(|| format!("cannot read {}", path.display()))?;
     Scene::parse(&text).with_context(|| path.display().to_string())
 }
 

@@ -1,6 +1,6 @@
 use std::{fs, path::PathBuf};
 
-use anyhow::Context as _;
+use anyhow::{Context as _, bail};
 use chattercheck::paper;
 use clap::Args;
 
@@ -28,6 +28,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let bar = indicatif::ProgressBar::new_spinner();
     let files = paper::files(|| bar.inc(1))?;
     bar.finish_and_clear();
+    // All that can be known to stand in the way, before anything is put in its place.
+    if let Some(taken) = files.keys().map(|name| out.join(name)).find(|path| path.is_dir()) {
+        bail!("out = {}: {} is a folder, and a file of that name is to be written", out.display(), taken.display());
+    }
     for (name, text) in &files {
         let path = beside.path().join(name);
         fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;

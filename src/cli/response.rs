@@ -18,7 +18,7 @@ use super::{
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
 ///
 /// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
-/// multiples of the threshold of rocking (g tan alpha, or g alpha for the linear model); state is rest, rocking or overturned. At an impact there are two
+/// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking or overturned. At an impact there are two
 /// rows: just before and just after it. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
 ///
 /// Followed until the block rests after the motion; a motion without end for 5 cycles.
@@ -35,9 +35,9 @@ pub(super) struct Arguments {
     /// For the velocity threshold: VelTol/(p alpha)
     #[arg(long, value_name = "V", allow_hyphen_values = true, value_parser = number)]
     velocity_threshold: Option<f64>,
-    /// For the chattering threshold: the fit of the critical amplitude below which it applies
-    #[arg(long, value_enum, default_value_t = Fit::Eq76)]
-    condition: Fit,
+    /// For the chattering threshold: the fit of the critical amplitude below which it applies [default: eq76]
+    #[arg(long, value_enum)]
+    condition: Option<Fit>,
     /// Follow the block to this time tau at the most
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
@@ -47,9 +47,9 @@ pub(super) struct Arguments {
     /// Print it to this time tau
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     to: Option<f64>,
-    /// Into how many steps the printed part is divided
-    #[arg(long, value_name = "N", default_value_t = 1000, allow_negative_numbers = true)]
-    steps: usize,
+    /// Into how many steps the printed part is divided [default: 1000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    steps: Option<usize>,
     /// Output format: the history as CSV, or what happens as JSON
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     format: Format,
@@ -74,7 +74,7 @@ enum Scheme {
     Chattering,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Fit {
     Eq76,
     Eq77,
@@ -120,6 +120,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
             ModelName::Nonlinear => Model::Nonlinear,
         };
     }
+    arguments.check()?;
     let request = scene.response(arguments.until, arguments.termination()?)?;
     let oracle = scene.stepper()?;
     let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
@@ -150,9 +151,14 @@ impl Arguments {
                 "only with --termination velocity"
             )
         );
+        if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
+            return Err(
+                Invalid::new("condition", format!("{condition:?}"), "only with --termination chattering").into()
+            );
+        }
         Ok(match self.termination {
             Scheme::Exact => Termination::Exact,
-            Scheme::Chattering => Termination::ChatteringThreshold(match self.condition {
+            Scheme::Chattering => Termination::ChatteringThreshold(match self.condition.unwrap_or(Fit::Eq76) {
                 Fit::Eq76 => Condition::Eq76,
                 Fit::Eq77 => Condition::Eq77,
             }),
@@ -162,6 +168,20 @@ impl Arguments {
         })
     }
 
+    /// Refuses what the format does not use.
+    fn check(&self) -> Result<(), Invalid> {
+        let given = [
+            ("from", self.from.map(|from| from.to_string())),
+            ("to", self.to.map(|to| to.to_string())),
+            ("steps", self.steps.map(|steps| steps.to_string())),
+        ];
+        let unused = given.into_iter().find_map(|(field, value)| Some((field, value?)));
+        match (self.format, unused) {
+            (Format::Json, Some((field, value))) => Err(Invalid::new(field, value, "only with --format csv")),
+            _ => Ok(()),
+        }
+    }
+
     fn window(&self, end: f64) -> Result<Window, Invalid> {
         const MOST_STEPS: usize = 1_000_000;
         let (from, to) = (self.from.unwrap_or(0.0), self.to.unwrap_or(end));
@@ -169,12 +189,13 @@ impl Arguments {
             return Err(Invalid::new("from", format!("{from:?}"), "from 0 to the end of the response"));
         }
         if !(to > from && to.is_finite()) && end > 0.0 {
-            return Err(Invalid::new("to", format!("{to:?}"), "after --from"));
+            return Err(Invalid::new("to", format!("{to:?}"), "a finite time after --from"));
         }
-        if !(1..=MOST_STEPS).contains(&self.steps) {
-            return Err(Invalid::new("steps", self.steps, "1 to 1000000"));
+        let steps = self.steps.unwrap_or(1000);
+        if !(1..=MOST_STEPS).contains(&steps) {
+            return Err(Invalid::new("steps", steps, "1 to 1000000"));
         }
-        Ok(Window { from, to, steps: self.steps })
+        Ok(Window { from, to: to.min(end), steps })
     }
 }
 

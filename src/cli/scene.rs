@@ -44,6 +44,8 @@ struct Answer {
     frequency_parameter: f64,
     /// m/s².
     ground_acceleration: f64,
+    /// The amplitude over the acceleration at which this block of this model begins to rock: what `a_cr` is to be compared with.
+    over_threshold: f64,
     rocks: bool,
     /// The critical amplitude of the linear model; `null` outside of the range of its interpolant.
     a_cr: Option<f64>,
@@ -74,13 +76,15 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
         frequency_parameter: scene.block.frequency_parameter(),
         ground_acceleration: scene.acceleration(),
+        over_threshold: scene.question()?.case.amplitude(),
         rocks: answers.initiation.is_some(),
         a_cr: critical::interpolated(case.omega(), case.eta()).ok().map(|epsilon| 1.0 + epsilon),
         tolerance: scene.ask.tolerance,
         answers,
     };
     arguments.format.print(&answer, text)?;
-    Ok(Verdict::Well)
+    let lost = answer.answers.chattering_time.is_some_and(|chattering| chattering.complete.is_none());
+    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
 }
 
 fn text(answer: &Answer) -> String {
@@ -91,8 +95,11 @@ fn text(answer: &Answer) -> String {
         (None, _) => "does not rock".to_owned(),
         (Some(time), None) => format!("begins to rock at {time:.6} s"),
         (Some(time), Some(a_cr)) => {
-            let kind = if *a < a_cr { "complete" } else { "incomplete" };
-            format!("begins to rock at {time:.6} s; chattering is {kind} by the linear model, whose a_cr is {a_cr:.6}")
+            let kind = if answer.over_threshold < a_cr { "complete" } else { "incomplete" };
+            format!(
+                "begins to rock at {time:.6} s, at {:.6} times the threshold; chattering is {kind} by the linear model, whose a_cr is {a_cr:.6}",
+                answer.over_threshold
+            )
         }
     };
     let mut lines = vec![
@@ -108,16 +115,17 @@ fn text(answer: &Answer) -> String {
 /// A line for each thing that was asked.
 fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
     let Answers { chattering_time, impact_times, rest_periods, response, .. } = answers;
-    let chattering =
-        chattering_time.as_ref().map(|chattering| match (chattering.seconds, chattering.relative_uncertainty) {
-            (Some(seconds), Some(off)) => {
+    let chattering = chattering_time.as_ref().map(|chattering| {
+        let after = if chattering.after_the_motion { ", most of it after the ground had come to rest" } else { "" };
+        match (chattering.seconds, chattering.relative_uncertainty, chattering.complete) {
+            (Some(seconds), Some(off), _) => {
                 let meets = if off <= tolerance { "meets" } else { "DOES NOT MEET" };
-                format!(
-                    "chattering time: {seconds} s, to {off:.0e} of it, which {meets} the tolerance of {tolerance:.0e}"
-                )
+                format!("chattering time: {seconds} s{after}, to {off:.0e} of it, which {meets} the tolerance of {tolerance:.0e}")
             }
-            _ => "chattering time: none, the block does not come to rest by chattering while it is shaken".to_owned(),
-        });
+            (.., None) => format!("chattering time: NOT FOUND ({})", chattering.ending),
+            _ => format!("chattering time: none, the block does not come to rest ({})", chattering.ending),
+        }
+    });
     let impacts = impact_times
         .as_ref()
         .map(|times| format!("impacts at (s): {}", list(times.iter().map(|time| format!("{time:.9}")))));
@@ -126,7 +134,7 @@ fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
         .map(|rests| format!("at rest (s): {}", list(rests.iter().map(|(from, to)| format!("{from:.6} to {to:.6}")))));
     let whole = response.map(|response| {
         format!(
-            "rocks {} times, {} impacts resolved, until {:.6} s: {}",
+            "rocks {} times from rest to rest, with {} impacts resolved, until {:.6} s: {}",
             response.bouts, response.impacts, response.end, response.ending
         )
     });

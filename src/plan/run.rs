@@ -48,6 +48,14 @@ impl Answer {
         self.attempts.last()?.found
     }
 
+    /// The chattering time, if the chattering is complete.
+    pub fn chattering_time(&self) -> Option<Estimate> {
+        match self.outcome()? {
+            Outcome::Complete(time) => Some(time),
+            Outcome::NeverRocks | Outcome::Incomplete => None,
+        }
+    }
+
     /// The method whose answer it is.
     pub fn method(&self) -> Option<Method> {
         Some(self.attempts.last()?.method)

@@ -20,8 +20,8 @@ pub use termination::{Condition, Termination};
 /// A motion of the ground, and how far the block is followed. All times are `τ`, from the start of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// Amplitude, frequency and restitution, and the slenderness for the nonlinear model, measured against the threshold of that model: `g α` for the
-    /// linear one, `g tan α` for the nonlinear one.
+    /// Amplitude, frequency and restitution, and the slenderness for the nonlinear model; the amplitude in multiples of the acceleration at which the
+    /// block begins to rock (threshold normalisation).
     pub case: Case,
     /// The phase of the motion at `τ = 0` in radians; `None` for the threshold, growing.
     pub phase: Option<f64>,
@@ -154,8 +154,23 @@ impl Response {
             let lobes = Lobes::new(&request.case, request.phase);
             return Ok(Self { lobes, lasts: request.lasts, bouts: Vec::new(), end });
         }
-        let solver = oracle.flights(&request.case)?;
-        Ok(run::follow(request, solver.as_ref()))
+        let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
+        // What rounding does in all flights before a rest is what moving the parameters by about a rounding does.
+        let case = nudged(&request.case)
+            .map_err(|_| Decline::Unsupported { what: "cases at the border of what is allowed" })?;
+        let other = run::follow(&Request { case, ..*request }, oracle.flights(&case)?.as_ref());
+        Ok(response.with_conditioning(&other))
+    }
+
+    /// Adds to the uncertainty of each rest how far `other`, which differs by rounding, is from it.
+    fn with_conditioning(mut self, other: &Self) -> Self {
+        for (k, bout) in self.bouts.iter_mut().enumerate() {
+            if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
+                let same = other.bouts.get(k).filter(|other| matches!(other.outcome, BoutEnd::Complete { .. }));
+                *uncertainty += same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs());
+            }
+        }
+        self
     }
 
     /// The times of rest, each from and to.
@@ -168,8 +183,24 @@ impl Response {
     }
 }
 
+/// No motion is followed for longer.
+const MOST_CYCLES: f64 = 1e4;
+/// What multiple of the change is claimed: rounding of every flight may add up to more than one change of the parameters shows.
+const MARGIN: f64 = 4.0;
+
+/// The case with its parameters moved by a few roundings each.
+fn nudged(case: &Case) -> Result<Case, Invalid> {
+    let moved = |value: f64, roundings: f64| value * (1.0 + roundings * f64::EPSILON);
+    let nudged = Case::from_epsilon(
+        moved(case.epsilon(), 4.0),
+        moved(case.omega(), 1.0),
+        case.eta() * (1.0 - 0.5 * f64::EPSILON),
+    )?;
+    Ok(case.slenderness().map_or(nudged, |slenderness| nudged.with_slenderness(slenderness)))
+}
+
 impl Request {
-    /// How many impacts are followed unless told otherwise.
+    /// How many impacts are followed unless told otherwise; repetitions of a half period are not counted.
     pub const MOST_IMPACTS: usize = 1_000_000;
 
     /// The response to a case as it stands: a motion that starts at the threshold and lasts `lasts`.
@@ -182,8 +213,10 @@ impl Request {
                 return Err(Invalid::new(field, format!("{value:?}"), "above 0 (in τ)"));
             }
         }
-        if lasts.is_none() && until.is_infinite() {
-            return Err(Invalid::new("until", "none", "a time (in τ) for a motion that does not end"));
+        let most = MOST_CYCLES * std::f64::consts::TAU / case.omega();
+        if lasts.unwrap_or(until).min(until) > most {
+            let (field, value) = lasts.map_or(("until", until), |lasts| ("duration", lasts));
+            return Err(Invalid::new(field, format!("{value:?}"), "up to 10000 cycles of the ground motion (in τ)"));
         }
         Ok(Self { case, phase: None, lasts, until, termination: Termination::Exact, most_impacts: Self::MOST_IMPACTS })
     }

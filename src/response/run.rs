@@ -13,6 +13,9 @@ const ACCURACY: f64 = 1e-13;
 const RESOLVED: f64 = 1e-9;
 /// Or until so many have followed since it has been certain that the block comes to rest: more do not help.
 const MOST_CERTAIN_IMPACTS: usize = 2000;
+/// In what steps, and in how many, an overturning block is followed to where it falls.
+const FALLING_STEP: f64 = 0.05;
+const MOST_FALLING_STEPS: usize = 1000;
 /// Impacts that closing a sum can use.
 const USEFUL_IMPACTS: usize = 64;
 /// What a flight solver leaves of rounding in each interval, relative; only for the error estimate of a closed sum.
@@ -27,10 +30,10 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
         rule: request.termination.rule(&request.case),
         lasts: request.lasts.unwrap_or(f64::INFINITY),
         until: request.until,
-        most_impacts: request.most_impacts,
     };
     let mut bouts: Vec<Bout> = Vec::new();
-    let mut impacts = 0;
+    let mut again: Option<Bout> = None;
+    let mut left = request.most_impacts;
     let mut now = 0.0;
     let end = loop {
         let (lobe, start) = lobes.departure(now);
@@ -38,15 +41,21 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
             // Nothing can happen any more; the motion of the ground may still go on, or have ended while the block rocked.
             break runner.lasts.max(now).min(runner.until);
         }
-        let bout = match bouts.iter().find_map(|earlier| runner.repeated(earlier, lobe, start)) {
+        let bout = match again.as_ref().and_then(|bout| runner.repeated(bout, lobe, start)) {
             Some(same) => same,
-            None => runner.bout(lobe, start, request.most_impacts - impacts),
+            None => {
+                let bout = runner.bout(lobe, start, left);
+                left = left.saturating_sub(bout.impacts());
+                bout
+            }
         };
+        if again.is_none() && runner.can_be_repeated(&bout) {
+            again = Some(bout.clone());
+        }
         now = bout.end();
-        impacts += bout.impacts();
         let rests = bout.outcome.is_rest();
         bouts.push(bout);
-        if !rests || impacts >= runner.most_impacts {
+        if !rests {
             break now;
         }
     };
@@ -59,7 +68,6 @@ struct Runner<'a> {
     rule: Rule,
     lasts: f64,
     until: f64,
-    most_impacts: usize,
 }
 
 /// A sum of times that are soon far smaller than it (Neumaier).
@@ -82,12 +90,18 @@ impl Clock {
 }
 
 impl Runner<'_> {
-    /// The same bout again, a whole number of half periods later and mirrored if they are odd: if it started from rest at the threshold and was over
-    /// before the ground motion or the response ends, then and now.
+    /// Whether a bout started from rest at the threshold and was over before the ground motion or the response ends: then it is the same each time.
+    fn can_be_repeated(&self, bout: &Bout) -> bool {
+        bout.start == 0.0 && bout.outcome.is_rest() && self.is_over(bout, bout.lobe)
+    }
+
+    fn is_over(&self, bout: &Bout, lobe: Lobe) -> bool {
+        lobe.start + bout.duration <= self.lasts.min(self.until)
+    }
+
+    /// The same bout again, a whole number of half periods later and mirrored if they are odd, if that is over in time as well.
     fn repeated(&self, earlier: &Bout, lobe: Lobe, start: f64) -> Option<Bout> {
-        let from_threshold = earlier.start == 0.0 && start == lobe.start;
-        let over = |origin: f64| origin + earlier.duration <= self.lasts.min(self.until);
-        let same = from_threshold && earlier.outcome.is_rest() && over(earlier.lobe.start) && over(lobe.start);
+        let same = start == lobe.start && self.is_over(earlier, lobe);
         same.then(|| Bout { lobe, ..earlier.clone() })
     }
 
@@ -117,7 +131,7 @@ impl Runner<'_> {
             let duration = match arrival {
                 Arrival::Impact { interval, .. } => interval,
                 Arrival::Aloft { .. } => horizon - now,
-                Arrival::Overturned { after } => after,
+                Arrival::Overturned { after } => self.past_the_corner(&departure, after),
                 Arrival::Lost(loss) => break (BoutEnd::Lost(loss), now),
             };
             flights.push(Flight { start: now, duration, departure, arrival });
@@ -146,11 +160,22 @@ impl Runner<'_> {
                     clock = Clock { high: horizon, low: 0.0 };
                     departure = Departure { time: horizon, rotation, velocity, ..departure };
                 }
-                Arrival::Overturned { after } => break (BoutEnd::Overturned, now + after),
+                Arrival::Overturned { .. } => break (BoutEnd::Overturned, now + duration),
                 Arrival::Lost(loss) => break (BoutEnd::Lost(loss), now),
             }
         };
         Bout { lobe, start: since, duration, flights: Arc::new(flights), outcome }
+    }
+
+    /// How long a flight that is certain to overturn is followed: until its centre of mass is over the corner at least, `|φ| = 1`.
+    fn past_the_corner(&self, departure: &Departure, mut after: f64) -> f64 {
+        for _ in 0..MOST_FALLING_STEPS {
+            if self.solver.motion(departure, after).0 >= 1.0 {
+                break;
+            }
+            after += FALLING_STEP;
+        }
+        after
     }
 
     /// Whether the block rests after this impact, and when.

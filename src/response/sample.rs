@@ -26,7 +26,7 @@ pub struct Sample {
     pub phi: f64,
     /// Its velocity.
     pub phi_velocity: f64,
-    /// In multiples of the threshold of rocking of the model; 0 once the motion is over.
+    /// In multiples of the acceleration at which this block of this model begins to rock; 0 once the motion is over.
     pub ground_acceleration: f64,
     /// What the block does.
     pub state: State,
@@ -86,7 +86,7 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     fn step(&self) -> f64 {
-        (self.window.to - self.window.from) / self.window.steps.max(1) as f64
+        ((self.window.to - self.window.from) / self.window.steps.max(1) as f64).max(f64::MIN_POSITIVE)
     }
 
     /// The part of a stretch that is in the window.

@@ -55,8 +55,12 @@ pub struct ChatteringTime {
     pub relative_uncertainty: Option<f64>,
     /// Whether that is no more than the scene's tolerance.
     pub meets_tolerance: Option<bool>,
-    /// Whether the block comes to rest by complete chattering.
-    pub complete: bool,
+    /// Whether the block comes to rest by complete chattering; `None` if that was not found out.
+    pub complete: Option<bool>,
+    /// Whether it does so after the motion of the ground has ended, in free rocking.
+    pub after_the_motion: bool,
+    /// How the first rocking ends.
+    pub ending: &'static str,
 }
 
 /// A response in three numbers and a word.
@@ -117,9 +121,13 @@ impl Scene {
     }
 
     fn chattering_time(&self, oracle: &dyn Oracle, case: &Case, bout: &Bout) -> ChatteringTime {
-        let complete = matches!(bout.outcome, BoutEnd::Complete { .. });
-        let tau = complete.then(|| bout.duration - bout.start);
-        // From the threshold on moving ground it is that of the case, for which the oracle claims an error; else what closing the sum leaves is known.
+        let complete = match bout.outcome {
+            BoutEnd::Complete { .. } => Some(true),
+            BoutEnd::Overturned | BoutEnd::Cut => Some(false),
+            _ => None,
+        };
+        let tau = complete.filter(|complete| *complete).map(|_| bout.duration - bout.start);
+        // From the threshold on moving ground it is that of the case, for which the oracle claims an error too.
         let shaken = bout.flights.iter().all(|flight| flight.departure.ground == Ground::Shaking);
         let of_case = case.with_max_impacts(IMPACTS).ok().filter(|_| bout.start == 0.0 && shaken);
         let claimed = of_case.and_then(|case| ask(oracle, &case).into_observed()?.chattering_time);
@@ -134,6 +142,8 @@ impl Scene {
             relative_uncertainty: relative,
             meets_tolerance: relative.map(|relative| relative <= self.ask.tolerance),
             complete,
+            after_the_motion: !shaken,
+            ending: bout.outcome.name(),
         }
     }
 }

@@ -20,7 +20,7 @@ pub use file::{
 use crate::case_file::one_line;
 
 /// The largest file that is read.
-const MOST_BYTES: usize = 1 << 20;
+pub const MOST_BYTES: usize = 1 << 20;
 /// Standard for this field; give `gravity` for another.
 const GRAVITY: f64 = 9.81;
 
@@ -137,7 +137,8 @@ impl Scene {
         let text = Text(text);
         let block = Block::read(&file.block, &text)?;
         Ok(Self {
-            title: file.title.unwrap_or_default(),
+            // It is printed: no control characters.
+            title: file.title.unwrap_or_default().chars().filter(|c| !c.is_control()).take(200).collect(),
             ground: Ground::read(&file.ground, &block, &text)?,
             ask: Ask::read(&file.ask, &text)?,
             block,

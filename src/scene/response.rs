@@ -22,6 +22,9 @@ impl Scene {
         let p = self.block.frequency_parameter();
         let lasts = self.ground.duration.map(|seconds| seconds * p);
         let limit = if lasts.is_some() { f64::INFINITY } else { CYCLES * std::f64::consts::TAU / case.omega() };
+        if let Some(until) = until.filter(|until| !until.is_finite()) {
+            return Err(Invalid::new("until", format!("{until:?}"), "a finite time above 0 (in τ)"));
+        }
         let request = Request::new(case, lasts, until.unwrap_or(limit))?;
         Ok(Request { phase: self.ground.phase, termination: termination.check()?, ..request })
     }

@@ -6,6 +6,7 @@
 
 use crate::{
     flight::{Landing, Outcome, Takeoff},
+    forcing::Forcing,
     twofold::Twofold,
 };
 
@@ -53,19 +54,15 @@ pub(crate) fn follow(takeoff: &Takeoff, mut state: (f64, f64)) -> End {
 
     let mut elapsed = Twofold::ZERO;
     let mut here = forcing;
-    if state == (0.0, 0.0) {
-        let clear = if forcing.acceleration > 0.0 {
-            // Above the threshold: u'' > 0 for as long as the forcing takes to fall, which is twice this at least.
-            0.5 * forcing.acceleration / (omega * amplitude)
-        } else {
-            // At initiation u, u', u'' vanish, and u'''' >= -1 - |ω² - 1| a: half of 4 j over that is before the first root.
-            2.0 * forcing.jerk / (1.0 + (omega * omega - 1.0).abs() * amplitude)
-        };
-        let step = clear.min(longest);
+    let at_rest = state == (0.0, 0.0);
+    if at_rest {
+        let step = clear(&forcing, amplitude, omega).min(longest);
         state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
         here = excitation.forcing(sign, excitation.half_phase(time.plus(step)));
     }
+    // Just above the threshold a block at rest first moves in a time of its own, however short: what the forcing does later must not shorten its steps.
+    let pushed = at_rest && forcing.acceleration > 0.0;
 
     let mut size: f64 = 0.0;
     for _ in 0..STEPS {
@@ -78,7 +75,8 @@ pub(crate) fn follow(takeoff: &Takeoff, mut state: (f64, f64)) -> End {
         if elapsed.high >= horizon {
             return End::Aloft;
         }
-        let step = safe_step(state, here.acceleration, longest, |step| {
+        let reach = if pushed { longest.min(2.0 * elapsed.high) } else { longest };
+        let step = safe_step(state, here.acceleration, reach, |step| {
             (omega * amplitude).min((-here.jerk).max(0.0) + omega * omega * amplitude * step)
         });
         let arrived = rotation <= 0.0 && elapsed.high > 0.0;
@@ -90,6 +88,22 @@ pub(crate) fn follow(takeoff: &Takeoff, mut state: (f64, f64)) -> End {
         here = excitation.forcing(sign, excitation.half_phase(time.plus(elapsed.high).plus(elapsed.low)));
     }
     End::Stuck
+}
+
+/// How long a block is off its base for sure that starts from rest, by `u'''' >= -Q` with `Q = 1 + |ω² - 1| a`.
+fn clear(forcing: &Forcing, amplitude: f64, omega: f64) -> f64 {
+    let Forcing { acceleration, jerk, .. } = *forcing;
+    let bound = 1.0 + (omega * omega - 1.0).abs() * amplitude;
+    // u >= b s²/2 + j s³/6 - Q s⁴/24. If it is pushed ever harder, half of 4 j/Q, where the last two are 0, is before the first root;
+    let growing = 2.0 * jerk / bound;
+    // and if it is pushed at all, so is where the last two take off a third of the first each.
+    let pushed = if acceleration > 0.0 {
+        let turning = if jerk < 0.0 { -acceleration / jerk } else { f64::INFINITY };
+        turning.min(2.0 * (acceleration / bound).sqrt())
+    } else {
+        0.0
+    };
+    growing.max(pushed)
 }
 
 /// A step before which there is no root: to the first root of the parabola under `u`, or `longest`. `fall` bounds how fast the

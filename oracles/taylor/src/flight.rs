@@ -151,10 +151,15 @@ fn scale(block: &Block, forcing: &Forcing, speed: f64) -> (Scale, f64) {
     (Scale { time, velocity: speed }, rate)
 }
 
-/// The units of a flight that is pushed from rest on the base, `u = K |G| s²/2`: until the push could have turned, or the angle is large.
+/// The units of a flight that is pushed from rest on the base, `u = K |G| s²/2` and more: if the push falls, until it has turned and the block lands,
+/// however soon; if it grows, those of the first flight, which it then is but for its start.
 fn scale_pushed(block: &Block, forcing: &Forcing) -> Scale {
     let pull = block.slope * forcing.gravity.abs();
-    let jerk = block.slope * block.omega * forcing.slope.abs();
+    // Of G, which is negative: a falling G is a growing push.
+    let jerk = block.slope * block.omega * forcing.slope;
+    if jerk < 0.0 {
+        return first_scale(block).0;
+    }
     let time = cap(block).min(3.0 * pull / jerk).min((block.alpha * pull).sqrt().recip());
     Scale { time, velocity: pull * time }
 }
@@ -178,7 +183,7 @@ fn order(rate: f64) -> usize {
 /// How many terms of a series tell its size: the first one when it starts from a root, two when it is pushed away from it.
 fn leading(multiplicity: usize, forcing: &Forcing) -> usize {
     match multiplicity {
-        0 => 3,
+        0 | 2 => 3,
         1 if forcing.gravity < 0.0 => 2,
         _ => 1,
     }

@@ -40,6 +40,10 @@ impl FlightSolver for Flights {
     }
 
     fn rests(&self, departure: &Departure) -> bool {
-        self.block(departure).certainly_rests(departure.time, departure.velocity)
+        match departure.ground {
+            Ground::Shaking => self.0.certainly_rests(departure.time, departure.velocity),
+            // The energy φ'²/2 - (cos(α(1 - u)) - cos α)/α² is kept, so a flight lands as fast as it left, if it does not pass the balance u = 1.
+            Ground::Still => departure.velocity < 2.0 * (0.5 * self.0.alpha).sin() / self.0.alpha,
+        }
     }
 }
