@@ -88,7 +88,8 @@ pub fn draw(table: &Table) -> Result<String, chart::Error> {
             let points = places.filter_map(|(x, y)| Some(Point { x: x?, y: Some(y?) })).collect();
             Ok(Series::new(name, points).with_draw(Draw::Markers))
         });
-        let series = series.collect::<Result<Vec<_>, chart::Error>>()?;
+        let mut series = series.collect::<Result<Vec<_>, chart::Error>>()?;
+        series.retain(|series| !series.points.is_empty());
         Ok(Panel::new(format!("tolerance {tolerance}"), series).with_marks(vec![Mark::at(1.0, "a_{cr}")]))
     });
     LineChart {
