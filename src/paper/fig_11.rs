@@ -46,8 +46,7 @@ fn whole(table: &Table) -> Result<String, chart::Error> {
 fn insert(table: &Table) -> Result<String, chart::Error> {
     LineChart {
         title: "Insert: rest that should not be".into(),
-        caption: "With the large threshold the block rests until the next lobe sets it off from rest; without it it is still \
-                  rocking then."
+        caption: "With the large threshold the block rests until the next lobe sets it off from rest; without it the block is still rocking then."
             .into(),
         x: Axis::linear("τ"),
         y: Axis::linear("φ = θ/α"),

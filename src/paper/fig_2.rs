@@ -73,8 +73,7 @@ fn chart(table: &Table, part: &str, title: &str, caption: &str, marks: Vec<Mark>
 
 fn whole(table: &Table) -> Result<String, chart::Error> {
     let title = format!("Chattering into rest, a = {A}, ω = {OMEGA}, η = {ETA}");
-    let caption = "The block comes to rest at τ_{ch}, well before T/2, while the ground still moves; in the flights of the \
-                   other sign it hardly leaves its base.";
+    let caption = "The block comes to rest at τ_{ch}, well before T/2, while the ground still moves.";
     let mut marks = marks(table, "rest", |_| "τ_{ch}".into())?;
     marks.push(Mark::at(half_period(OMEGA), "T/2"));
     chart(table, "a", &title, caption, marks)
@@ -89,8 +88,8 @@ fn first_cycles(table: &Table) -> Result<String, chart::Error> {
 
 fn final_cycles(table: &Table) -> Result<String, chart::Error> {
     let caption = format!(
-        "From n = {} on each flight is shorter than the last but one by nearly η² and lower by nearly η⁴, and they \
-         accumulate at τ_{{ch}}.",
+        "From n = {} on each flight is shorter than the last but one by nearly η² and lower by nearly η⁴, until they \
+         accumulate; those of the sign −i_{{0}} are now the longer ones, as the excitation has turned.",
         FINAL + 1
     );
     let first = (FINAL + 1) as f64;

@@ -15,8 +15,8 @@ use crate::{
 pub(super) const OMEGA: f64 = 2.0;
 /// Their restitution.
 pub(super) const ETA: f64 = 0.92;
-/// How many steps a chart is wide: one is about two pixels.
-const STEPS: usize = 240;
+/// How many steps a chart is wide: one is less than three pixels.
+const STEPS: usize = 200;
 
 /// Scheme (a) of Fig. 8.
 pub(super) const CHATTERING: (&str, Termination) =

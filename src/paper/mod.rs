@@ -28,7 +28,7 @@ use crate::{
     panel,
 };
 
-pub use claims::{Claim, Judged, Measured, Verdict, claims, judge, markdown, measured};
+pub use claims::{Claim, Judged, Measured, Verdict, claims, judge, markdown, measured, summary};
 pub use figure::Figure;
 
 /// Every figure that is regenerated.
@@ -90,6 +90,7 @@ pub fn files(done: impl Fn() + Sync) -> Result<BTreeMap<String, String>, Error> 
     let judged = judged?;
     files.insert("claims.csv".to_owned(), claims::csv(&judged)?);
     files.insert("claims.md".to_owned(), markdown(&judged));
+    files.insert("summary.md".to_owned(), summary(&judged));
     Ok(files)
 }
 

@@ -23,7 +23,7 @@ use serde::Deserialize;
 use super::Error;
 
 pub(super) use table::csv;
-pub use table::markdown;
+pub use table::{markdown, summary};
 pub use verdict::{Unit, Verdict};
 
 /// A statement of the paper.
