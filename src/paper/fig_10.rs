@@ -1,11 +1,11 @@
 //! Fig. 10: below the critical amplitude both schemes of Section 5.2 bring the block to rest.
 
 use super::{
-    Error, Figure, half_period,
-    history::{CHATTERING, ETA, FINE, OMEGA, duration, lines, response, rows, table},
+    Error, Figure,
+    history::{self, CHATTERING, ETA, FINE, OMEGA, duration, initiations, lines, response, rows, table},
     missing,
 };
-use crate::chart::{self, Axis, LineChart, Mark, Panel, Table};
+use crate::chart::{self, Table};
 
 pub(super) const FIGURE: Figure =
     Figure { name: "fig_10", measure, charts: &[("fig_10.svg", whole), ("fig_10_insert.svg", insert)] };
@@ -24,35 +24,15 @@ fn measure() -> Result<String, Error> {
 }
 
 fn whole(table: &Table) -> Result<String, chart::Error> {
-    LineChart {
-        title: format!("Both schemes below a_{{cr}}: a = {A}, ω = {OMEGA}, η = {ETA}"),
-        caption:
-            "At this scale the two can't be told apart: the block comes to rest before the second initiation by either."
-                .into(),
-        x: Axis::linear("τ"),
-        y: Axis::linear("φ = θ/α"),
-        columns: 1,
-        missing: String::new(),
-        panels: vec![
-            Panel::new("", lines(table, "whole", "phi")?)
-                .with_marks(vec![Mark::at(0.0, "1st initiation"), Mark::at(half_period(OMEGA), "2nd initiation")]),
-        ],
-    }
-    .svg()
+    let title = format!("Both schemes below a_{{cr}}: a = {A}, ω = {OMEGA}, η = {ETA}");
+    let caption =
+        "At this scale the two can't be told apart: the block comes to rest before the second initiation by either.";
+    history::chart(&title, caption, lines(table, "whole", "phi")?, initiations())
 }
 
 fn insert(table: &Table) -> Result<String, chart::Error> {
-    LineChart {
-        title: "Insert: the block comes to rest".into(),
-        caption:
-            "The chattering threshold ends the motion some impacts early, the small velocity threshold close to where \
-                  they accumulate."
-                .into(),
-        x: Axis::linear("τ"),
-        y: Axis::linear("φ = θ/α"),
-        columns: 1,
-        missing: String::new(),
-        panels: vec![Panel::new("", lines(table, "insert", "phi")?)],
-    }
-    .svg()
+    let title = "Insert: the block comes to rest";
+    let caption = "The chattering threshold ends the motion some impacts early, the small velocity threshold close to where \
+                  they accumulate.";
+    history::chart(title, caption, lines(table, "insert", "phi")?, Vec::new())
 }

@@ -2,10 +2,10 @@
 
 use super::{
     Error, Figure, half_period,
-    history::{CHATTERING, COARSE, ETA, FINE, OMEGA, duration, lines, response, rows, table},
+    history::{self, CHATTERING, COARSE, ETA, FINE, OMEGA, duration, lines, response, rows, table},
     missing,
 };
-use crate::chart::{self, Axis, LineChart, Mark, Panel, Table};
+use crate::chart::{self, Mark, Table};
 
 pub(super) const FIGURE: Figure =
     Figure { name: "fig_11", measure, charts: &[("fig_11.svg", whole), ("fig_11_insert.svg", insert)] };
@@ -25,34 +25,20 @@ fn measure() -> Result<String, Error> {
 }
 
 fn whole(table: &Table) -> Result<String, chart::Error> {
-    LineChart {
-        title: format!("The schemes above a_{{cr}}: a = {A}, ω = {OMEGA}, η = {ETA}"),
-        caption:
-            "The chattering is incomplete; the large velocity threshold puts the block to rest all the same, and what \
-                  follows is another response."
-                .into(),
-        x: Axis::linear("τ"),
-        y: Axis::linear("φ = θ/α"),
-        columns: 1,
-        missing: String::new(),
-        panels: vec![
-            Panel::new("", lines(table, "whole", "phi")?)
-                .with_marks(vec![Mark::at(0.0, "1st initiation"), Mark::at(half_period(OMEGA), "T/2")]),
-        ],
-    }
-    .svg()
+    let title = format!("The schemes above a_{{cr}}: a = {A}, ω = {OMEGA}, η = {ETA}");
+    let caption = "The chattering is incomplete; the large velocity threshold puts the block to rest all the same, and what \
+                  follows is another response.";
+    history::chart(
+        &title,
+        caption,
+        lines(table, "whole", "phi")?,
+        vec![Mark::at(0.0, "1st initiation"), Mark::at(half_period(OMEGA), "T/2")],
+    )
 }
 
 fn insert(table: &Table) -> Result<String, chart::Error> {
-    LineChart {
-        title: "Insert: rest that should not be".into(),
-        caption: "With the large threshold the block rests until the next lobe sets it off from rest; without it the block is still rocking then."
-            .into(),
-        x: Axis::linear("τ"),
-        y: Axis::linear("φ = θ/α"),
-        columns: 1,
-        missing: String::new(),
-        panels: vec![Panel::new("", lines(table, "insert", "phi")?).with_marks(vec![Mark::at(half_period(OMEGA), "T/2")])],
-    }
-    .svg()
+    let title = "Insert: rest that should not be";
+    let caption = "With the large threshold the block rests until the next lobe sets it off from rest; without it \
+                   the block is still rocking then.";
+    history::chart(title, caption, lines(table, "insert", "phi")?, vec![Mark::at(half_period(OMEGA), "T/2")])
 }

@@ -4,11 +4,11 @@ use contract::Arrival;
 
 use super::{
     Error, Figure, half_period,
-    history::{ETA, OMEGA, Row, lines, mark, response, rows, table},
+    history::{self, ETA, OMEGA, Row, lines, mark, response, rows, table},
     missing,
 };
 use crate::{
-    chart::{self, Axis, LineChart, Mark, Panel, Table},
+    chart::{self, Mark, Table},
     response::Termination,
 };
 
@@ -58,32 +58,19 @@ fn marks(table: &Table, part: &str, name: impl Fn(f64) -> String) -> Result<Vec<
     Ok(places.filter_map(|(tau, n)| Some(Mark::at(tau?, name(n.unwrap_or(f64::NAN))))).collect())
 }
 
-fn chart(table: &Table, part: &str, title: &str, caption: &str, marks: Vec<Mark>) -> Result<String, chart::Error> {
-    LineChart {
-        title: title.into(),
-        caption: caption.into(),
-        x: Axis::linear("τ"),
-        y: Axis::linear("φ = θ/α"),
-        columns: 1,
-        missing: String::new(),
-        panels: vec![Panel::new("", lines(table, part, "phi")?).with_marks(marks)],
-    }
-    .svg()
-}
-
 fn whole(table: &Table) -> Result<String, chart::Error> {
     let title = format!("Chattering into rest, a = {A}, ω = {OMEGA}, η = {ETA}");
     let caption = "The block comes to rest at τ_{ch}, well before T/2, while the ground still moves.";
     let mut marks = marks(table, "rest", |_| "τ_{ch}".into())?;
     marks.push(Mark::at(half_period(OMEGA), "T/2"));
-    chart(table, "a", &title, caption, marks)
+    history::chart(&title, caption, lines(table, "a", "phi")?, marks)
 }
 
 fn first_cycles(table: &Table) -> Result<String, chart::Error> {
     let caption = "A flight of the sign of the first one, i_{0}, is long and high, one of the other sign short and low, because \
                    the excitation nearly lifts the block to the one side and presses it down on the other.";
     let marks = marks(table, "impacts b", |n| format!("τ_{{{n}}}"))?;
-    chart(table, "b", "First cycles", caption, marks)
+    history::chart("First cycles", caption, lines(table, "b", "phi")?, marks)
 }
 
 fn final_cycles(table: &Table) -> Result<String, chart::Error> {
@@ -96,5 +83,5 @@ fn final_cycles(table: &Table) -> Result<String, chart::Error> {
     let mut marks =
         marks(table, "impacts c", |n| if n == first { "τ_{n}".into() } else { format!("τ_{{n+{}}}", n - first) })?;
     marks.extend(self::marks(table, "rest", |_| "τ_{ch}".into())?);
-    chart(table, "c", "Final cycles", &caption, marks)
+    history::chart("Final cycles", &caption, lines(table, "c", "phi")?, marks)
 }

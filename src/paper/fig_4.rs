@@ -39,18 +39,30 @@ fn measure() -> Result<String, Error> {
 
 fn draw(table: &Table) -> Result<String, chart::Error> {
     let excitation = Series::new("a sin(ωτ + ψ)", table.points("tau", "excitation")?).with_draw(Draw::Line);
-    let mut marks = vec![Mark::level(1.0, "1"), Mark::level(-1.0, "−1")];
+    let mut marks = Vec::new();
     let mut series = vec![excitation];
     for (number, name) in [("1", "1st initiation"), ("2", "2nd initiation")] {
         let points = table.filter("initiation", number)?.points("tau", "excitation")?;
         marks.extend(points.iter().map(|point| Mark::at(point.x, name)));
         series.push(Series::new(name, points).with_draw(Draw::Markers));
     }
+    let title = format!("Excitation of a = {A}, ω = {OMEGA} over 2.5 T");
+    let caption = "Rocking is initiated where the ground acceleration reaches the threshold ±1 (dashed), so the block has half a \
+                   period between the first and the second initiation to come to rest.";
+    chart(&title, caption, series, marks)
+}
+
+/// A chart of the excitation, with the thresholds.
+pub(super) fn chart(
+    title: &str,
+    caption: &str,
+    series: Vec<Series>,
+    mut marks: Vec<Mark>,
+) -> Result<String, chart::Error> {
+    marks.extend([Mark::level(1.0, "1"), Mark::level(-1.0, "−1")]);
     LineChart {
-        title: format!("Excitation of a = {A}, ω = {OMEGA} over 2.5 T"),
-        caption: "Rocking is initiated where the ground acceleration reaches the threshold ±1 (dashed), so the block \
-                  has half a period between the first and the second initiation to come to rest."
-            .into(),
+        title: title.into(),
+        caption: caption.into(),
         x: Axis::linear("τ"),
         y: Axis::linear("ü_{g}/(gα)").with_range(-1.5, 1.5),
         columns: 1,

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::{Error, half_period};
 use crate::{
-    chart::{self, Draw, Series, Table},
+    chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table},
     diagnose::text,
     panel,
     response::{Condition, Request, Response, Termination, Window},
@@ -95,4 +95,23 @@ pub(super) fn table(parts: Vec<Vec<Row>>) -> Result<String, Error> {
 pub(super) fn lines(table: &Table, part: &str, y: &str) -> Result<Vec<Series>, chart::Error> {
     let series = table.filter("part", part)?.series("scheme", "tau", y)?;
     Ok(series.into_iter().map(|one| one.with_draw(Draw::Line)).collect())
+}
+
+/// A chart of rotations against time.
+pub(super) fn chart(title: &str, caption: &str, lines: Vec<Series>, marks: Vec<Mark>) -> Result<String, chart::Error> {
+    LineChart {
+        title: title.into(),
+        caption: caption.into(),
+        x: Axis::linear("τ"),
+        y: Axis::linear("φ = θ/α"),
+        columns: 1,
+        missing: String::new(),
+        panels: vec![Panel::new("", lines).with_marks(marks)],
+    }
+    .svg()
+}
+
+/// The two initiations that the paper names: where the first two lobes reach the threshold.
+pub(super) fn initiations() -> Vec<Mark> {
+    vec![Mark::at(0.0, "1st initiation"), Mark::at(half_period(OMEGA), "2nd initiation")]
 }
