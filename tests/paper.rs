@@ -42,6 +42,10 @@ fn every_claim_is_measured_and_every_measurement_is_of_a_claim() {
     }
 }
 
+fn committed() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/paper")
+}
+
 /// One run of the command, for all tests that need one.
 fn run() -> &'static (tempfile::TempDir, PathBuf, BTreeSet<String>) {
     static RUN: OnceLock<(tempfile::TempDir, PathBuf, BTreeSet<String>)> = OnceLock::new();
@@ -58,12 +62,14 @@ fn run() -> &'static (tempfile::TempDir, PathBuf, BTreeSet<String>) {
 #[test]
 fn the_committed_table_is_what_a_run_gives() {
     let (_, out, _) = run();
-    let made = std::fs::read_to_string(out.join("claims.md")).unwrap();
-    let committed = include_str!("../data/paper/claims.md");
-    for (committed, made) in committed.lines().zip(made.lines()) {
-        assert_eq!(committed, made, "data/paper/claims.md is to be the claims.md of `chattercheck paper --out DIR`");
+    for name in ["claims.md", "summary.md"] {
+        let made = std::fs::read_to_string(out.join(name)).unwrap();
+        let committed = std::fs::read_to_string(committed().join(name)).unwrap();
+        for (committed, made) in committed.lines().zip(made.lines()) {
+            assert_eq!(committed, made, "data/paper/{name} is to be that of `chattercheck paper --out DIR`");
+        }
+        assert_eq!(committed.lines().count(), made.lines().count(), "{name}");
     }
-    assert_eq!(committed.lines().count(), made.lines().count());
 }
 
 /// What is known to be wrong in the paper, and what to be right, whatever decides it.
@@ -79,6 +85,15 @@ fn the_verdicts_are_those_that_are_known() {
     for id in ["eq-31-first", "eq-34-fifth", "eq-62-one-root", "eq-65-first", "eq-68", "a-cr", "fig-7"] {
         assert_eq!(verdict(id), "holds", "{id}");
     }
+}
+
+#[test]
+fn every_chart_is_committed() {
+    let there: BTreeSet<_> = std::fs::read_dir(committed().join("figures"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(there, FIGURES.iter().flat_map(|one| one.charts).map(|(name, _)| (*name).to_owned()).collect());
 }
 
 #[test]
@@ -109,9 +124,15 @@ fn the_tables_say_what_is_known() {
     assert!(share.windows(2).all(|two| two[0] < two[1]));
     let near = a.iter().position(|a| *a > 1.03).unwrap();
     assert!(share[near - 1] < 0.7168 && share[near] > 0.7168);
+    let fig_6 = table("fig_6");
+    let fits = numbers(&fig_6, "a_cr").into_iter().zip(numbers(&fig_6, "eq76"));
+    let worst = fits.fold(0.0_f64, |worst, (a_cr, fit)| worst.max((a_cr - fit).abs()));
+    assert!((0.011..0.012).contains(&worst), "its caption says 0.012: {worst}");
     let fig_7 = table("fig_7");
     let a_cr = numbers(&fig_7, "a_cr");
     assert!((a_cr[0] - 1.03302).abs() < 1e-5 && (a_cr.last().unwrap() - 1.03836).abs() < 1e-5);
+    let seventh = (a_cr.last().unwrap() - a_cr[0]) / (a_cr.last().unwrap() - 1.0);
+    assert!((seventh * 7.0 - 1.0).abs() < 0.05, "its caption says a seventh: {seventh}");
 }
 
 #[test]
@@ -124,6 +145,37 @@ fn the_excitation_is_at_the_threshold_where_it_is_marked() {
         assert!(marked.len() == 1 && (marked[0] - threshold).abs() < 1e-12);
     }
     assert!(excitation.iter().all(|value| value.abs() <= 1.03));
+}
+
+/// Figs 2 and 9 to 11: the response comes to rest, or does not, as the captions say.
+#[test]
+fn the_responses_are_those_of_the_captions() {
+    let fig_2 = table("fig_2");
+    let rest = numbers(&fig_2.filter("part", "rest").unwrap(), "tau")[0];
+    assert!((rest - 1.125_947_676_933_812).abs() < 1e-12, "{rest}");
+    let impacts = numbers(&fig_2.filter("part", "impacts c").unwrap(), "tau");
+    assert!(impacts.len() == 4 && impacts.windows(2).all(|two| two[0] < two[1]) && impacts[3] < rest);
+    // When a line last leaves the base, and when it ends.
+    let end = |figure: &str, part: &str, scheme: &str| {
+        let rows = table(figure).filter("part", part).unwrap().filter("scheme", scheme).unwrap();
+        let (tau, phi) = (numbers(&rows, "tau"), numbers(&rows, "phi"));
+        assert!(tau.windows(2).all(|two| two[0] <= two[1]) && tau.len() > 100, "{figure} {part}");
+        let last = phi.iter().rposition(|phi| phi.abs() > 0.0).unwrap();
+        (tau[last], *tau.last().unwrap())
+    };
+    let fine = "VelTol/(pα) = 5×10⁻¹⁰";
+    for (figure, scheme, rests_at) in [
+        ("fig_9", "chattering threshold", Some(1.1045)),
+        ("fig_10", "chattering threshold", Some(1.1045)),
+        ("fig_10", fine, Some(1.126)),
+        ("fig_11", fine, None),
+    ] {
+        let (moves_until, ends) = end(figure, "insert", scheme);
+        match rests_at {
+            Some(time) => assert!((moves_until - time).abs() < 5e-3 && moves_until < ends, "{figure}: {moves_until}"),
+            None => assert!(moves_until > ends - 1e-2, "{figure}: {moves_until}"),
+        }
+    }
 }
 
 #[test]

@@ -42,9 +42,10 @@ fn draw(table: &Table) -> Result<String, chart::Error> {
     };
     LineChart {
         title: format!("Critical amplitude over frequency, η = {ETA}"),
-        caption: "From ω = 0.5 to 8 a_{cr} rises by 0.5 % of itself, nearly all of it below ω = 2; that is a sixth of \
+        caption:
+            "From ω = 0.5 to 8 a_{cr} rises by 0.5 % of itself, nearly all of it below ω = 2; that is a seventh of \
                   a_{cr} − 1, its distance to the threshold."
-            .into(),
+                .into(),
         x: Axis::linear("ω").with_range(0.0, 8.25),
         y: Axis::linear("a_{cr}").with_range(1.03, 1.042),
         columns: 1,

@@ -3,12 +3,17 @@
 //! The claims are data, `data/paper/claims.toml`; each has one function here that measures it, by the name of its `id`.
 
 mod claims;
+mod fig_10;
+mod fig_11;
+mod fig_2;
 mod fig_3;
 mod fig_4;
 mod fig_5;
 mod fig_6;
 mod fig_7;
+mod fig_9;
 mod figure;
+mod history;
 mod limits;
 
 use std::{collections::BTreeMap, f64::consts::PI};
@@ -23,11 +28,22 @@ use crate::{
     panel,
 };
 
-pub use claims::{Claim, Judged, Measured, Verdict, claims, judge, markdown, measured};
+pub use claims::{Claim, Judged, Measured, Verdict, claims, judge, markdown, measured, summary};
 pub use figure::Figure;
 
 /// Every figure that is regenerated.
-pub const FIGURES: [Figure; 6] = [fig_3::A, fig_3::B, fig_4::FIGURE, fig_5::FIGURE, fig_6::FIGURE, fig_7::FIGURE];
+pub const FIGURES: [Figure; 10] = [
+    fig_2::FIGURE,
+    fig_3::A,
+    fig_3::B,
+    fig_4::FIGURE,
+    fig_5::FIGURE,
+    fig_6::FIGURE,
+    fig_7::FIGURE,
+    fig_9::FIGURE,
+    fig_10::FIGURE,
+    fig_11::FIGURE,
+];
 
 /// Why the paper could not be regenerated.
 #[derive(Debug, thiserror::Error)]
@@ -74,6 +90,7 @@ pub fn files(done: impl Fn() + Sync) -> Result<BTreeMap<String, String>, Error> 
     let judged = judged?;
     files.insert("claims.csv".to_owned(), claims::csv(&judged)?);
     files.insert("claims.md".to_owned(), markdown(&judged));
+    files.insert("summary.md".to_owned(), summary(&judged));
     Ok(files)
 }
 

@@ -9,6 +9,7 @@ mod fig_5;
 mod first_cycle;
 mod infinity;
 mod motion;
+mod schemes;
 mod semi_analytical;
 mod series;
 mod slender;
@@ -22,7 +23,7 @@ use serde::Deserialize;
 use super::Error;
 
 pub(super) use table::csv;
-pub use table::markdown;
+pub use table::{markdown, summary};
 pub use verdict::{Unit, Verdict};
 
 /// A statement of the paper.
@@ -89,7 +90,7 @@ type Measurement = (&'static str, fn() -> Result<Measured, Error>);
 
 /// All measurements, in the order of the paper.
 fn measurements() -> impl Iterator<Item = Measurement> {
-    let sections: [&[Measurement]; 9] = [
+    let sections: [&[Measurement]; 10] = [
         motion::ALL,
         slender::ALL,
         infinity::ALL,
@@ -99,6 +100,7 @@ fn measurements() -> impl Iterator<Item = Measurement> {
         semi_analytical::ALL,
         fig_5::ALL,
         critical::ALL,
+        schemes::ALL,
     ];
     sections.into_iter().flatten().copied()
 }

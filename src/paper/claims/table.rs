@@ -4,11 +4,29 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::Judged;
+use super::{Judged, Verdict};
 use crate::{diagnose::text, paper::Error};
 
 /// The table for people.
 pub fn markdown(judged: &[Judged]) -> String {
+    rows(judged.iter())
+}
+
+/// How many claims hold, and the table of those that do not.
+pub fn summary(judged: &[Judged]) -> String {
+    let count = |is: fn(&Verdict) -> bool| judged.iter().filter(|one| is(&one.verdict)).count();
+    let wrong = judged.iter().filter(|one| matches!(one.verdict, Verdict::DoesNotHold(_)));
+    format!(
+        "Of {} claims {} hold, {} hold within a number, and {} do not:\n\n{}",
+        judged.len(),
+        count(|verdict| *verdict == Verdict::Holds),
+        count(|verdict| matches!(verdict, Verdict::HoldsWithin(_))),
+        count(|verdict| matches!(verdict, Verdict::DoesNotHold(_))),
+        rows(wrong)
+    )
+}
+
+fn rows<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
     let mut out = String::from("| In the paper | It says | Found | Verdict |\n| --- | --- | --- | --- |\n");
     for Judged { claim, measured, verdict } in judged {
         let cells = [claim.place.as_str(), &claim.statement, &measured.found, &verdict.to_string()];
