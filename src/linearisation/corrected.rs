@@ -34,6 +34,11 @@ impl Oracle for Corrected {
         let end = horizon(case);
         let past = case.with_horizon(Horizon::Until(end * (1.0 + PAST))).map_err(super::threshold::refused)?;
         let linearisation = Linearisation::new(self.stepper.as_ref(), &past)?;
+        let complete = linearisation.linear.history.ending == Ending::AtRest;
+        if !complete && end > std::f64::consts::PI / case.omega() {
+            // There a flight may miss the base by a hair in one model and touch it in the other, which no derivative tells.
+            return Err(Decline::Unsupported { what: "incomplete chattering past half a period" });
+        }
         let mut impacts = linearisation.corrected();
         let unsure = |why: &str| Err(Decline::NotConvergent { why: why.to_owned() });
         let large = |shift: &Shift| !(shift.left < f64::INFINITY && shift.first_order.abs() < LARGEST_RATIO);
