@@ -101,6 +101,3 @@ impl Follower for Shifts {
         });
     }
 }
-
-#[cfg(test)]
-mod tests;

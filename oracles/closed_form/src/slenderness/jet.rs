@@ -65,3 +65,34 @@ impl Mul for Jet {
         Self([a * w, a * x + b * w, a * y + b * x + c * w, a * z + b * y + c * x + d * w])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Products and sums of series are those of their values at any `μ`, but for the power that is cut off.
+        #[test]
+        fn sums_and_products_are_those_of_the_values(
+            x in prop::array::uniform4(-1.0..1.0f64), y in prop::array::uniform4(-1.0..1.0f64), mu in 1e-3..1e-2f64,
+        ) {
+            let at = |Jet([a, b, c, d]): Jet| a + mu * (b + mu * (c + mu * d));
+            let (one, other) = (Jet(x), Jet(y));
+            prop_assert!((at(one * other) - at(one) * at(other)).abs() <= 4.0 * mu.powi(4));
+            prop_assert!((at(one + other) - at(one) - at(other)).abs() <= 1e-15);
+            prop_assert!((at(one - other) - at(one) + at(other)).abs() <= 1e-15);
+        }
+    }
+
+    /// `1/cos α` and `sin²α` in powers of `μ = 2(1/cos α - 1)`.
+    #[test]
+    fn the_slenderness_in_powers_of_its_parameter() {
+        for alpha in [0.05f64, 0.1] {
+            let mu = 2.0 * (1.0 / alpha.cos() - 1.0);
+            let at = |Jet([a, b, c, d]): Jet| a + mu * (b + mu * (c + mu * d));
+            assert!((at(Jet::SECANT) - 1.0 / alpha.cos()).abs() < 1e-15);
+            assert!((at(Jet::SQUARED_SINE) - alpha.sin().powi(2)).abs() < mu.powi(4));
+        }
+    }
+}
