@@ -83,8 +83,7 @@ impl Largest {
     fn with(self, coefficients: [f64; 3]) -> Self {
         let mut largest = self.0;
         for (largest, new) in largest.iter_mut().zip(coefficients) {
-            // Not `max`, which would take a lost coefficient for a small one.
-            *largest = if new.abs() <= *largest { *largest } else { new.abs() };
+            *largest = larger(*largest, new.abs());
         }
         Self(largest)
     }
@@ -172,7 +171,12 @@ impl Linearisation {
 
 /// The largest ratio of the second term to the first of any observable.
 fn ratio(largest: &[Largest], mu: f64) -> f64 {
-    largest.iter().map(|of| of.ratio(mu)).fold(0.0, |most, ratio| if ratio <= most { most } else { ratio })
+    largest.iter().map(|of| of.ratio(mu)).fold(0.0, larger)
+}
+
+/// The larger of two, or the one that is lost: not `max`, which would drop it.
+fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other <= one { one } else { other }
 }
 
 /// The coefficient of a power of `μ` (0 for the first) of the chattering time.

@@ -1,7 +1,7 @@
 //! What the linear model leaves out: how each impact moves with `μ = 2(1/cos α - 1)`, to the third power, along the linear solution.
 //!
-//! `μ = α² + 5α⁴/12 + ...`, so to first order it is `α²`. It is the parameter in which the equation is simplest where the rotation is small: the block is stiffer by
-//! `1/cos α = 1 + μ/2` there.
+//! `μ = α² + 5α⁴/12 + ...`, so to first order it is `α²`. It is the parameter in which the equation is simplest where the excitation is weak and the
+//! rotation small: there the block is stiffer by `1/cos α = 1 + μ/2`.
 //!
 //! The impacts at `μ = 0` are those that the oracle found. Between them the nonlinear equation is solved by a Taylor series in local time, all of
 //! whose coefficients are power series in `μ` (see [`series`]). Its start is the last impact, whose time and speed are power series as well; the
@@ -17,8 +17,8 @@ use crate::{flight::Takeoff, forcing::Forcing, sequence::Follower};
 use jet::Jet;
 use series::{Units, evaluate, expand};
 
-/// How many coefficients of `G` are used for a stretch `T` with `max(1, ω) T` up to 1, and up to a smaller one. The first that is left out is below
-/// `(3 max(1, ω) T)^n/n!`, as the cube of `w` has three times its frequencies, and is multiplied by `w³/6`.
+/// How many coefficients of `G` are used for a stretch `T` with `max(1, ω) T` up to 1, and up to a smaller one. The first of `w³/6`, whose frequencies are
+/// three times those of `w`, that is left out is of the order `(3 max(1, ω) T)^n/n!`.
 const TERMS: usize = 24;
 const FEW: (usize, f64) = (10, 0.03);
 
@@ -40,8 +40,7 @@ impl Shifts {
     }
 
     /// The coefficients of `G = 1 + i f` by the powers of time in units of `stretch`, from the forcing of the linear flight at the start. The flight
-    /// itself starts later, by the shift `d`: `G^(k) + d G^(k+1) + d² G^(k+2)/2 +
-    /// d³ G^(k+3)/6`.
+    /// itself starts later, by the shift `d`: `G^(k) + d G^(k+1) + d² G^(k+2)/2 + d³ G^(k+3)/6`.
     fn pull(&self, forcing: &Forcing, stretch: f64) -> Vec<Jet> {
         let Forcing { acceleration, jerk, snap, .. } = *forcing;
         let terms = if self.omega.max(1.0) * stretch < FEW.1 { FEW.0 } else { TERMS };
