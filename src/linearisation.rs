@@ -5,15 +5,15 @@
 //! linear solution ([`Oracle::slenderness_shifts`]) gives
 //!
 //! ```text
-//! x(μ) = x(0) + c₁ μ + c₂ μ² + O(μ³)
+//! x(μ) = x(0) + c₁ μ + c₂ μ² + c₃ μ³ + O(μ⁴)
 //! ```
 //!
 //! for each time, interval and velocity, and through the closure of the infinite sum for the chattering time. The first-order term is the error of
 //! the linear model; with it added, the error falls as `α⁴`. (In powers of `α²` it does as well, but for weak excitation, where the
 //! rotation is small and the block only stiffer by `1/cos α`, the `c₂` of the powers of `μ` nearly vanish.)
 //!
-//! What is left is estimated, not bounded by proof: `c₂` is derived as `c₁` is, with the curvature of the response in it that grows without bound
-//! towards `a_cr`; what the terms after it add is calibrated ([`left`]).
+//! What is left is estimated, not bounded by proof: `c₂` and `c₃` are derived as `c₁` is, with the curvature of the response in them that grows
+//! without bound towards `a_cr`; what the terms after them add is calibrated ([`left`]).
 
 mod corrected;
 mod threshold;
@@ -62,38 +62,39 @@ pub struct Linearisation {
 /// Up to which ratio of the second term to the first what is left is estimated. Beyond, the terms do not fall fast enough.
 const LARGEST_RATIO: f64 = 0.5;
 
-/// The largest error expected after the first-order term, from the largest two coefficients up to an impact and the largest ratio `ρ` of their terms
-/// in any observable.
+/// The largest error expected after the first-order term, from the largest coefficients up to an impact and the largest ratio `ρ` of the second term
+/// to the first in any observable.
 ///
-/// `c₂ μ²` is derived. The factor on it stands for the terms that follow, which grow towards a singularity (the critical amplitude, a grazing
-/// impact) as the ratio does; the term in `μ³` is for where `c₂` vanishes by accident. Both are calibrated: see `tests/linearisation.rs`.
-fn left(mu: f64, [first, second]: [f64; 2], ratio: f64) -> f64 {
+/// `c₂ μ²` and `c₃ μ³` are derived. The factor on them stands for the terms that follow, which fall the more slowly the nearer a singularity is (the
+/// critical amplitude, a grazing impact), as `ρ` tells. It is calibrated: see `tests/linearisation.rs`.
+fn left(mu: f64, [_, second, third]: [f64; 3], ratio: f64) -> f64 {
     if ratio.is_nan() || ratio >= LARGEST_RATIO {
         return f64::INFINITY;
     }
     let slack = 1.0 - ratio;
-    mu * mu * (1.5 * second / (slack * slack) + mu * first / 50.0)
+    1.5 * mu * mu * (second + mu * third) / (slack * slack)
 }
 
 /// The largest coefficients so far of one observable.
 #[derive(Clone, Copy, Default)]
-struct Largest([f64; 2]);
+struct Largest([f64; 3]);
 
 impl Largest {
-    fn with(self, [first, second]: [f64; 2]) -> Self {
-        let Self([one, two]) = self;
-        // Not `max`, which would take a lost coefficient for a small one.
-        let larger = |old: f64, new: f64| if new.abs() <= old { old } else { new.abs() };
-        Self([larger(one, first), larger(two, second)])
+    fn with(self, coefficients: [f64; 3]) -> Self {
+        let mut largest = self.0;
+        for (largest, new) in largest.iter_mut().zip(coefficients) {
+            *largest = larger(*largest, new.abs());
+        }
+        Self(largest)
     }
 
     /// The ratio of the second term to the first.
     fn ratio(self, mu: f64) -> f64 {
-        let Self([first, second]) = self;
+        let Self([first, second, _]) = self;
         if first == 0.0 && second == 0.0 { 0.0 } else { mu * second / first }
     }
 
-    fn shift(self, mu: f64, [derivative, _]: [f64; 2], ratio: f64) -> Shift {
+    fn shift(self, mu: f64, [derivative, ..]: [f64; 3], ratio: f64) -> Shift {
         Shift { derivative, first_order: mu * derivative, left: left(mu, self.0, ratio) }
     }
 }
@@ -130,8 +131,8 @@ impl Linearisation {
         });
         let impacts = impacts.collect();
         let closed = observed.chattering_time.and_then(|_| {
-            let [first, second] = [0, 1].map(|power| closed(&observed.history, shifts, power, case.eta()));
-            Some([first?, second?])
+            let [first, second, third] = [0, 1, 2].map(|power| closed(&observed.history, shifts, power, case.eta()));
+            Some([first?, second?, third?])
         });
         let chattering_time = closed.map(|closed| {
             let [time, ..] = largest;
@@ -170,12 +171,17 @@ impl Linearisation {
 
 /// The largest ratio of the second term to the first of any observable.
 fn ratio(largest: &[Largest], mu: f64) -> f64 {
-    largest.iter().map(|of| of.ratio(mu)).fold(0.0, |most, ratio| if ratio <= most { most } else { ratio })
+    largest.iter().map(|of| of.ratio(mu)).fold(0.0, larger)
+}
+
+/// The larger of two, or the one that is lost: not `max`, which would drop it.
+fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other <= one { one } else { other }
 }
 
 /// The coefficient of a power of `μ` (0 for the first) of the chattering time.
 fn closed(history: &History, shifts: &[SlendernessShift], power: usize, eta: f64) -> Option<f64> {
-    let of = |coefficients: [f64; 2]| coefficients.get(power).copied().unwrap_or(0.0);
+    let of = |coefficients: [f64; 3]| coefficients.get(power).copied().unwrap_or(0.0);
     let intervals = history.impacts.iter().zip(shifts).map(|(impact, shift)| impact.interval * of(shift.interval));
     zeno::shift(history, of(shifts.last()?.time), intervals, eta)
 }

@@ -24,9 +24,10 @@ pub const SERIES: &str = "asymptotic/paper";
 const HIGH_ORDER: Order = Order::Terms(16);
 
 /// The largest share of the cases of a run that an oracle may decline: two thirds for those that do not reach everywhere (the series near `a_cr`,
-/// where most of the cases of a run with few random ones are; many digits at depth), hardly any for those that are made for every case.
+/// where most of the cases of a run with few random ones are; a correction there; many digits at depth), hardly any for those that are made for every case.
 pub fn may_decline(oracle: &str) -> f64 {
-    if oracle.starts_with("asymptotic/") || oracle == "printed" { 2.0 / 3.0 } else { 0.01 }
+    let limited = oracle.starts_with("asymptotic/") || oracle.ends_with("/corrected") || oracle == "printed";
+    if limited { 2.0 / 3.0 } else { 0.01 }
 }
 
 /// Every oracle that `verify` asks by default.
@@ -179,7 +180,7 @@ impl Settings<'_> {
     }
 }
 
-/// One oracle by its name: `closed-form`, `ode`, `enclosure`, `asymptotic` (or the full name of one of these), `taylor` or `printed`.
+/// One oracle by its name: `closed-form`, `closed-form/corrected`, `ode`, `enclosure`, `asymptotic` (or the full name of one of these), `taylor` or `printed`.
 /// `equation` is the one that an oracle for both equations solves if the settings don't say.
 ///
 /// # Errors
@@ -218,7 +219,13 @@ pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Or
         "closed-form/corrected" => Box::new(corrected()),
         "taylor" => Box::new(Taylor),
         "printed" => Box::new(Printed::default()),
-        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),
+        _ => {
+            return Err(Invalid::new(
+                "oracle",
+                name,
+                "closed-form, closed-form/corrected, ode, taylor, asymptotic, enclosure or printed",
+            ));
+        }
     };
     settings.refuse_all_but(&[])?;
     Ok(simple)

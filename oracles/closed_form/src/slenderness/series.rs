@@ -1,15 +1,16 @@
-//! The Taylor series of a stretch of a flight on the nonlinear equation, with coefficients that are power series in `m = sin²α`.
+//! The Taylor series of a stretch of a flight on the nonlinear equation, with coefficients that are power series in `μ = 2(1/cos α - 1)`.
 //!
 //! With `u = iφ` and `G = 1 + i f`, Eq. 2 under threshold normalisation is
-//! `u'' = [sin(αu)(1 - G sin²α) - G sin(α) cos(α) cos(αu)]/(α cos α)`. For `w = (α/sin α) u` it depends on the slenderness through `m` alone:
+//! `u'' = [sin(αu)(1 - G sin²α) - G sin(α) cos(α) cos(αu)]/(α cos α)`. For `w = (α/sin α) u` it depends on the slenderness through
+//! `m = sin²α = 1 - 1/(1 + μ/2)²` alone:
 //!
 //! ```text
-//! w'' = σ (1 - m G)/sqrt(1 - m) - G C      σ = sin(sqrt(m) w)/sqrt(m)   C = cos(sqrt(m) w)
-//!     = w - G - m [(1/2 + i f) w - G w²/2 + w³/6] + O(m²)
+//! w'' = (1 + μ/2) σ (1 - m G) - G C      σ = sin(sqrt(m) w)/sqrt(m)   C = cos(sqrt(m) w)
+//!     = w - G - μ [(1/2 + i f) w - G w²/2 + w³/6] + O(μ²)
 //! ```
 //!
-//! and for `m = 0` it is Eq. 4. In the units `T` of time and `V` of velocity, `w = V T χ`, it becomes
-//! `χ'' = T² σ (1 - m G)/sqrt(1 - m) - (T/V) G C` with `σ' = C χ'` and `C' = -m (V T)² σ χ'`.
+//! and for `μ = 0` it is Eq. 4. In the units `T` of time and `V` of velocity, `w = V T χ`, it becomes
+//! `χ'' = (1 + μ/2) T² σ (1 - m G) - (T/V) G C` with `σ' = C χ'` and `C' = -m (V T)² σ χ'`.
 
 use super::jet::Jet;
 
@@ -25,9 +26,14 @@ pub(crate) fn expand(units: Units, (rotation, velocity): (Jet, Jet), pull: &[Jet
     let Units { time, velocity: speed } = units;
     let small = Jet::SQUARED_SINE.scaled((speed * time) * (speed * time));
     let z = (small * rotation * rotation).scaled(-1.0);
-    // Exact: z³ is of the order m³.
-    let mut sine = vec![rotation * (Jet::ONE + z.scaled(1.0 / 6.0) * (Jet::ONE + z.scaled(1.0 / 20.0)))];
-    let mut cosine = vec![Jet::ONE + z.scaled(0.5) * (Jet::ONE + z.scaled(1.0 / 12.0))];
+    // The sine and cosine of sqrt(m) V T χ; exact, as z⁴ is of the order μ⁴.
+    let [mut first, mut second] = [Jet::ONE; 2];
+    for divisors in [[42.0, 30.0], [20.0, 12.0], [6.0, 2.0]] {
+        let [of_sine, of_cosine] = divisors;
+        first = Jet::ONE + z.scaled(1.0 / of_sine) * first;
+        second = Jet::ONE + z.scaled(1.0 / of_cosine) * second;
+    }
+    let (mut sine, mut cosine) = (vec![rotation * first], vec![second]);
     let (mut series, mut rate) = (vec![rotation, velocity], vec![velocity]);
     for k in 0..pull.len() {
         let n = k as f64;
