@@ -10,7 +10,8 @@
 //! 5. [`verify`] does this for all cases and makes a [`report`]; [`shrink`] and [`replay`] make something small of what failed.
 //!
 //! Beside the gate: [`diagnose`] measures where the asymptotic series breaks, [`critical`] knows the critical amplitude, [`scene`] reads blocks and
-//! ground motions in physical units, and [`chart`] draws what was written as CSV.
+//! ground motions in physical units, [`response`] follows them from rest to rest, [`paper`] regenerates the figures of the paper and judges its
+//! claims, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
 pub mod atlas;
@@ -28,12 +29,16 @@ pub mod hex_float;
 pub mod judge;
 pub mod ladder;
 pub mod laws;
+pub mod linearisation;
 pub mod model_gap;
 pub mod observables;
 pub mod panel;
+pub mod paper;
+pub mod plan;
 pub mod reference;
 pub mod replay;
 pub mod report;
+pub mod response;
 pub mod scene;
 pub mod shrink;
 pub mod specimens;

@@ -3,7 +3,7 @@
 //! Under threshold normalisation Eq. 2 is, with `φ = (sin α/α) χ` and exactly to second order in `α`,
 //!
 //! ```text
-//! χ'' = χ - i - f - α² [(1/2 + i f) χ - (i + f) χ²/2]
+//! χ'' = χ - i - f - α² [(1/2 + i f) χ - (i + f) χ²/2 + χ³/6]
 //! ```
 //!
 //! so the nonlinear block is a linear one whose gravitational stiffness (the coefficient 1 of `χ`) is off by up to

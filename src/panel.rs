@@ -9,9 +9,11 @@ use closed_form::ClosedForm;
 use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
 use ode::{Equation, Flights};
-pub use ode::{Method, Ode as Solver, Restart};
+pub use ode::{Method, Ode, Restart};
 use printed::Printed;
 use taylor::Taylor;
+
+use crate::linearisation::Corrected;
 
 /// Oracles that are asked the same cases.
 pub type Panel = Vec<Box<dyn Oracle>>;
@@ -23,20 +25,21 @@ pub const SERIES: &str = "asymptotic/paper";
 const HIGH_ORDER: Order = Order::Terms(16);
 
 /// The largest share of the cases of a run that an oracle may decline: two thirds for those that do not reach everywhere (the series near `a_cr`,
-/// where most of the cases of a run with few random ones are; many digits at depth), hardly any for those that are made for every case.
+/// where most of the cases of a run with few random ones are; a correction there; many digits at depth), hardly any for those that are made for every case.
 pub fn may_decline(oracle: &str) -> f64 {
-    if oracle.starts_with("asymptotic/") || oracle == "printed" { 2.0 / 3.0 } else { 0.01 }
+    let limited = oracle.starts_with("asymptotic/") || oracle.ends_with("/corrected") || oracle == "printed";
+    if limited { 2.0 / 3.0 } else { 0.01 }
 }
 
 /// Every oracle that `verify` asks by default.
 pub fn default() -> Panel {
     vec![
         Box::new(ClosedForm),
-        Box::new(Solver::new(Equation::Linear, Method::Tsit45)),
-        Box::new(Solver::new(Equation::Linear, Method::Bdf)),
-        Box::new(Solver::new(Equation::Linear, Method::TrBdf2)),
-        Box::new(Solver::new(Equation::Linear, Method::Esdirk34)),
-        Box::new(Solver::new(Equation::Nonlinear, Method::Tsit45)),
+        Box::new(Ode::new(Equation::Linear, Method::Tsit45)),
+        Box::new(Ode::new(Equation::Linear, Method::Bdf)),
+        Box::new(Ode::new(Equation::Linear, Method::TrBdf2)),
+        Box::new(Ode::new(Equation::Linear, Method::Esdirk34)),
+        Box::new(Ode::new(Equation::Nonlinear, Method::Tsit45)),
         Box::new(Taylor),
         Box::new(Asymptotic::new()),
         Box::new(series(HIGH_ORDER)),
@@ -59,11 +62,12 @@ pub fn all() -> Panel {
     panel.extend(judges());
     panel.push(Box::new(series(Order::Resummed)));
     panel.push(Box::new(Printed::default()));
+    panel.push(Box::new(corrected()));
     for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
-        panel.push(Box::new(Solver::new(Equation::Nonlinear, method)));
+        panel.push(Box::new(Ode::new(Equation::Nonlinear, method)));
     }
     for equation in [Equation::Linear, Equation::Nonlinear] {
-        panel.push(Box::new(Solver::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
+        panel.push(Box::new(Ode::new(equation, Method::Tsit45).with_flights(Flights::Naive)));
     }
     panel
 }
@@ -73,6 +77,11 @@ pub fn stepper() -> Box<dyn Oracle> {
     Box::new(ClosedForm)
 }
 
+/// The linear oracle corrected to first order for the slenderness of the block.
+pub fn corrected() -> Corrected {
+    Corrected::new(stepper())
+}
+
 /// The methods of diffsol.
 pub const SOLVERS: [Method; 4] = Method::ALL;
 
@@ -80,15 +89,15 @@ pub const SOLVERS: [Method; 4] = Method::ALL;
 ///
 /// # Errors
 /// When the tolerance is not inside [1e-13, 1e-2].
-pub fn solver(method: Method, rtol: f64) -> Result<Solver, Invalid> {
-    Solver::new(Equation::Linear, method).with_rtol(rtol)
+pub fn solver(method: Method, rtol: f64) -> Result<Ode, Invalid> {
+    Ode::new(Equation::Linear, method).with_rtol(rtol)
 }
 
 /// The same on one clock, by Tsit45, restarted after each impact as named: a specimen.
 ///
 /// # Errors
 /// As [`solver`].
-pub fn one_clock(restart: Restart, rtol: f64) -> Result<Solver, Invalid> {
+pub fn one_clock(restart: Restart, rtol: f64) -> Result<Ode, Invalid> {
     Ok(solver(Method::Tsit45, rtol)?.with_flights(Flights::Naive).with_restart(restart))
 }
 
@@ -191,7 +200,7 @@ impl Settings<'_> {
     }
 }
 
-/// One oracle by its name: `closed-form`, `ode`, `enclosure`, `asymptotic` (or the full name of one of these), `taylor` or `printed`.
+/// One oracle by its name: `closed-form`, `closed-form/corrected`, `ode`, `enclosure`, `asymptotic` (or the full name of one of these), `taylor` or `printed`.
 /// `equation` is the one that an oracle for both equations solves if the settings don't say.
 ///
 /// # Errors
@@ -227,9 +236,16 @@ pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Or
         "ode" => return Ok(Box::new(ode(settings, equation)?)),
         "asymptotic" => return Ok(Box::new(asymptotic(settings)?)),
         "closed-form" => Box::new(ClosedForm),
+        "closed-form/corrected" => Box::new(corrected()),
         "taylor" => Box::new(Taylor),
         "printed" => Box::new(Printed::default()),
-        _ => return Err(Invalid::new("oracle", name, "closed-form, ode, taylor, asymptotic, enclosure or printed")),
+        _ => {
+            return Err(Invalid::new(
+                "oracle",
+                name,
+                "closed-form, closed-form/corrected, ode, taylor, asymptotic, enclosure or printed",
+            ));
+        }
     };
     settings.refuse_all_but(&[])?;
     Ok(simple)
@@ -250,7 +266,7 @@ fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {
     settings.tolerance.map_or(Ok(asymptotic.clone()), |tolerance| asymptotic.with_tolerance(tolerance))
 }
 
-fn ode(settings: &Settings, equation: &str) -> Result<Solver, Invalid> {
+fn ode(settings: &Settings, equation: &str) -> Result<Ode, Invalid> {
     settings.refuse_all_but(&["model", "method", "flights", "rtol"])?;
     let equation = match settings.equation.unwrap_or(equation) {
         "linear" => Equation::Linear,
@@ -269,6 +285,6 @@ fn ode(settings: &Settings, equation: &str) -> Result<Solver, Invalid> {
         "naive" => Flights::Naive,
         other => return Err(Invalid::new("flights", other, "rescaled or naive")),
     };
-    let ode = Solver::new(equation, method).with_flights(flights);
+    let ode = Ode::new(equation, method).with_flights(flights);
     settings.rtol.map_or(Ok(ode.clone()), |rtol| ode.with_rtol(rtol))
 }

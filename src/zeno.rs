@@ -54,6 +54,18 @@ pub fn sensitivity(history: &History, sensitivities: &[Sensitivity], eta: f64) -
     Some(slope)
 }
 
+/// The change of that chattering time when the time of the last impact changes by `last` and the intervals by `intervals`, in order, while the ratio
+/// stays: the closure in the column that [`close`] takes is linear in them. `None` with fewer than four impacts, and where an oracle has a
+/// chattering time of its own.
+pub fn shift(history: &History, last: f64, intervals: impl Iterator<Item = f64>, eta: f64) -> Option<f64> {
+    if history.chattering_time.is_some() {
+        return None;
+    }
+    let (best, _) = best_column(history, eta)?;
+    let values: Vec<_> = history.impacts.iter().map(|impact| impact.interval).zip(intervals).collect();
+    Some(last + tail_slope(&values, best, eta * eta, 0.0)?)
+}
+
 /// The derivative of what the columns up to `best` add, from the intervals and theirs, and from that of the ratio.
 fn tail_slope(intervals: &[(f64, f64)], best: usize, ratio: f64, ratio_by: f64) -> Option<f64> {
     let mut row: Vec<(f64, f64)> = in_pairs(intervals)

@@ -46,7 +46,10 @@ fn the_tables_show_what_the_captions_claim() {
     for row in &tables.exponents {
         assert!((row.stepping.unwrap() - row.formula).abs() < 3e-6, "{row:?}");
         assert!((row.coefficients.unwrap() - row.formula).abs() < row.coefficients_uncertainty.unwrap(), "{row:?}");
-        assert!((0.55..0.94).contains(&row.eta) == ((row.coefficients.unwrap() - row.formula).abs() < 5e-4), "{row:?}");
+        assert!(row.coefficients_uncertainty.unwrap() < 1.4e-3, "{row:?}");
+        // Three digits, in all three columns.
+        assert!((row.coefficients.unwrap() - row.formula).abs() < 5e-4, "{row:?}");
+        assert!((row.coefficients.unwrap() - row.stepping.unwrap()).abs() < 5e-4, "{row:?}");
     }
     assert!(tables.coefficients.iter().all(|row| row.coefficient > 0.0));
     let paper = tables.truncation.iter().find(|row| row.eta == 0.92 && row.truncation.starts_with("paper")).unwrap();

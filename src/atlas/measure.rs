@@ -44,8 +44,10 @@ pub struct AtlasRow {
     pub how: String,
 }
 
-/// Of an error above this an answer is wrong.
-pub(super) const WRONG: f64 = 0.01;
+/// Whether an answer with this error is wrong: by a part in a hundred or more, or by what is not a number.
+pub(super) fn is_wrong(error: f64) -> bool {
+    error.is_nan() || error >= 0.01
+}
 
 /// Every method at one place.
 pub(super) fn at(methods: &[Method], omega: f64, eta: f64, to_go: f64) -> Result<Vec<AtlasRow>, Decline> {
@@ -94,8 +96,7 @@ fn row(method: &Method, truth: &Truth, to_go: f64, run: &Run) -> AtlasRow {
 
 /// How a method fails at a case whose chattering is complete or not, if it does.
 fn failure(verdict: &Verdict, is_complete: bool, error: Option<f64>) -> (&'static str, String) {
-    // An error that is not a number is one.
-    let is_off = error.is_some_and(|error| !(error < WRONG));
+    let is_off = error.is_some_and(is_wrong);
     match verdict {
         Verdict::Rests(_) if !is_complete => ("silent", "puts to rest a block that rocks".into()),
         Verdict::Rocks if is_complete => ("silent", "rocks where the block rests".into()),

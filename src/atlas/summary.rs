@@ -1,6 +1,6 @@
 //! What each method did over all cases.
 
-use super::{AtlasRow, measure::WRONG};
+use super::{AtlasRow, measure::is_wrong};
 
 const HEADER: [&str; 12] = [
     "method",
@@ -44,7 +44,7 @@ fn line((family, setting): (&str, &str), rows: &[&AtlasRow]) -> [String; 12] {
     let mut errors: Vec<f64> = rows.iter().filter_map(|row| row.tau_ch_error).collect();
     errors.sort_by(f64::total_cmp);
     let number = |error: Option<&f64>| error.map_or("-".to_owned(), |error| format!("{error:.0e}"));
-    let off = rows.iter().filter(|row| row.truth == "rocks" && row.response_error.is_some_and(|off| !(off < WRONG)));
+    let off = rows.iter().filter(|row| row.truth == "rocks" && row.response_error.is_some_and(is_wrong));
     let shortest = rows.iter().filter_map(|row| row.shortest).fold(f64::INFINITY, f64::min);
     let fails = |how: &str| rows.iter().filter(|row| row.failure == how).count().to_string();
     [

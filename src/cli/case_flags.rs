@@ -2,17 +2,19 @@
 
 use std::{
     fs,
+    io::Read as _,
     path::{Path, PathBuf},
 };
 
-use anyhow::Context as _;
+use anyhow::{Context as _, anyhow, bail};
 use chattercheck::{
     case_file::CaseFields,
     panel::{self, Enclosure, Settings},
-    scene::Scene,
+    plan::{Plan, Question},
+    scene::{self, Scene},
 };
 use clap::Args;
-use contract::{Case, Horizon, Invalid, Oracle};
+use contract::{Case, Horizon, Invalid, Normalisation, Oracle, Slenderness};
 
 /// A dimensionless case. Each value means the double nearest to it.
 #[derive(Args)]
@@ -47,8 +49,8 @@ pub(crate) struct CaseFlags {
         value_parser = number
     )]
     eta: Option<f64>,
-    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that goes on:
-    /// its phase and duration, and what is asked and how accurately, are checked but not used yet
+    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that
+    /// passes the threshold and goes on; its phase and duration are for `chattercheck scene` and `chattercheck response`
     #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha"])]
     scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model
@@ -88,16 +90,19 @@ impl CaseFlags {
     }
 }
 
-/// A scene file.
+/// A scene file. No more of it is read than a scene may be long, and a byte to tell that it is longer.
 pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut text = String::new();
+    let file = fs::File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let read = file.take(scene::MOST_BYTES as u64 + 1).read_to_string(&mut text);
+    read.with_context(|| format!("cannot read {}", path.display()))?;
     Scene::parse(&text).with_context(|| path.display().to_string())
 }
 
 /// Which oracle to ask, and its settings.
 #[derive(Args)]
 pub(crate) struct OracleFlags {
-    /// The method; see `chattercheck oracles` [default: closed-form, or taylor for a scene of the nonlinear model]
+    /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` [default: closed-form; auto for a scene]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
     /// For ode and enclosure: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
@@ -115,7 +120,7 @@ pub(crate) struct OracleFlags {
     /// For asymptotic: paper (Eq. 65), how many terms of the series (1 to 92), or resummed [default: paper]
     #[arg(long, value_name = "paper|K|resummed", allow_hyphen_values = true)]
     order: Option<String>,
-    /// For asymptotic: the largest relative error of tau_ch that is accepted, by its own claim [default: 0.5]
+    /// The largest relative error of tau_ch that is accepted: for asymptotic by its own claim [default: 0.5]; for auto [default: 1e-6, or the scene's]
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = number)]
     tolerance: Option<f64>,
 }
@@ -123,18 +128,44 @@ pub(crate) struct OracleFlags {
 impl OracleFlags {
     /// The oracle with proven bounds, if it is the one that is named.
     pub fn enclosure(&self, flags: &CaseFlags, case: &Case) -> Result<Option<Enclosure>, Invalid> {
-        panel::enclosure(self.name(flags, case), &self.settings(), equation(case))
+        panel::enclosure(self.name(flags), &self.settings(), equation(case))
     }
 
     /// The oracle, for a case with or without slenderness.
-    pub fn oracle(&self, flags: &CaseFlags, case: &Case) -> Result<Box<dyn Oracle>, Invalid> {
-        panel::one(self.name(flags, case), &self.settings(), equation(case))
+    pub fn oracle(&self, flags: &CaseFlags, case: &Case) -> anyhow::Result<Box<dyn Oracle>> {
+        if let Some(question) = self.question(flags, case)? {
+            let plan = Plan::new(question);
+            let chosen = plan.stepper().and_then(|candidate| candidate.method.oracle(&question));
+            return chosen.ok_or_else(|| anyhow!("no method can follow the impacts of this case"));
+        }
+        Ok(panel::one(self.name(flags), &self.settings(), equation(case))?)
     }
 
-    /// A scene names its model; the flags of a case leave that to the oracle.
-    fn name(&self, flags: &CaseFlags, case: &Case) -> &str {
-        let of_scene = flags.scene.is_some() && case.slenderness().is_some();
-        self.oracle.as_deref().unwrap_or(if of_scene { "taylor" } else { "closed-form" })
+    /// What `auto` is asked; `None` for an oracle that is named.
+    pub fn question(&self, flags: &CaseFlags, case: &Case) -> anyhow::Result<Option<Question>> {
+        if self.name(flags) != "auto" {
+            return Ok(None);
+        }
+        let Settings { equation, method, flights, rtol, order, .. } = self.settings();
+        if equation.or(method).or(flights).or(order).is_some() || rtol.is_some() {
+            bail!(
+                "--model, --method, --flights, --rtol and --order are for an oracle that is named with --oracle, not for auto"
+            );
+        }
+        let question = match flags.scene()? {
+            Some(scene) => scene.question()?,
+            None => Question::new(threshold(case)?, Question::DEFAULT_TOLERANCE),
+        };
+        let tolerance = self.tolerance.unwrap_or(question.tolerance);
+        if !(1e-15..=0.5).contains(&tolerance) {
+            return Err(Invalid::new("tolerance", format!("{tolerance:?}"), "1e-15 to 0.5 (relative)").into());
+        }
+        Ok(Some(Question { tolerance, ..question }))
+    }
+
+    /// A scene asks for an accuracy; the flags of a case do not.
+    fn name(&self, flags: &CaseFlags) -> &str {
+        self.oracle.as_deref().unwrap_or(if flags.scene.is_some() { "auto" } else { "closed-form" })
     }
 
     fn settings(&self) -> Settings<'_> {
@@ -146,6 +177,18 @@ impl OracleFlags {
             order: self.order.as_deref(),
             tolerance: self.tolerance,
         }
+    }
+}
+
+/// The case with its amplitude over the threshold `g tan α`, as the plan has it.
+fn threshold(case: &Case) -> Result<Case, Invalid> {
+    match case.slenderness() {
+        Some(of) if of.normalisation() == Normalisation::Slender => {
+            let a = case.amplitude() * of.alpha() / of.alpha().tan();
+            let slenderness = Slenderness::new(of.alpha(), Normalisation::Threshold)?;
+            Ok(Case::from_amplitude(a, case.omega(), case.eta())?.with_slenderness(slenderness))
+        }
+        _ => Ok(*case),
     }
 }
 

@@ -1,5 +1,9 @@
 use anyhow::anyhow;
-use chattercheck::{observables::Observed, panel::Enclosure};
+use chattercheck::{
+    observables::Observed,
+    panel::Enclosure,
+    plan::{Outcome, Plan, Question},
+};
 use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle as _};
 use serde::Serialize;
@@ -62,6 +66,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         (None, Some(digits)) => return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into()),
         (None, None) => {}
     }
+    if let Some(question) = arguments.oracle.question(&arguments.case, &case)? {
+        return planned(arguments, question);
+    }
     let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
     let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
     // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
@@ -81,6 +88,53 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
     Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
+}
+
+/// The answer of the cheapest method that meets the tolerance. Its uncertainty is all that is known to be wrong with it, the model included.
+fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict> {
+    if let Some(impacts) = arguments.impacts {
+        return Err(Invalid::new(
+            "impacts",
+            impacts,
+            "only with an oracle that is named; auto takes as many as it needs",
+        )
+        .into());
+    }
+    let found = Plan::new(question).answer();
+    let (outcome, method) = (found.outcome(), found.method().map_or_else(String::new, |method| method.to_string()));
+    let time = match outcome {
+        Some(Outcome::Complete(time)) => Some(time),
+        _ => None,
+    };
+    let ending = match outcome {
+        None => "no method had an answer",
+        Some(Outcome::NeverRocks) => "never rocks",
+        Some(Outcome::Incomplete) => "incomplete (still rocking at half a period)",
+        Some(Outcome::Complete(_)) => "at rest (complete chattering)",
+    };
+    let mut answer = Answer {
+        rocks: outcome != Some(Outcome::NeverRocks),
+        complete: outcome.filter(|outcome| *outcome != Outcome::NeverRocks).map(|_| time.is_some()),
+        tau_ch: time.map(|time| time.value),
+        uncertainty: time.map(|time| time.uncertainty),
+        lower: None,
+        upper: None,
+        seconds: None,
+        half_period_fraction: time.map(|time| time.value * question.case.omega() / std::f64::consts::PI),
+        impacts: found.attempts.last().map_or(0, |attempt| attempt.impacts),
+        oracle: &method,
+        method: time.map(|_| "the cheapest method that meets the tolerance"),
+        ending: ending.to_owned(),
+    };
+    answer.seconds = seconds(arguments, &answer)?;
+    arguments.format.print(&answer, text)?;
+    if time.is_some() && !found.meets {
+        eprintln!(
+            "auto: worse than the tolerance of {:.0e} that was asked; no method is predicted to do better",
+            question.tolerance
+        );
+    }
+    Ok(Verdict::Well)
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.

@@ -8,9 +8,12 @@ mod detection_floor;
 mod diagnose;
 mod oracles;
 mod output;
+mod paper;
+mod plan;
 mod reference;
 mod replay;
 mod report_files;
+mod response;
 mod scene;
 mod simulate;
 mod tolerances;
@@ -43,7 +46,10 @@ enum Command {
     DetectionFloor(detection_floor::Arguments),
     Diagnose(diagnose::Arguments),
     Chart(chart::Arguments),
+    Paper(paper::Arguments),
     Scene(scene::Arguments),
+    Response(response::Arguments),
+    Plan(plan::Arguments),
 }
 
 /// What a command that ran came to.
@@ -72,7 +78,10 @@ pub(crate) fn run() -> ExitCode {
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
         Command::Chart(arguments) => chart::run(&arguments),
+        Command::Paper(arguments) => paper::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
+        Command::Response(arguments) => response::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
     };
     match result {
         Ok(Verdict::Well) => ExitCode::SUCCESS,

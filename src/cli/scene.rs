@@ -1,7 +1,10 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use chattercheck::{critical, scene};
+use chattercheck::{
+    critical,
+    scene::{self, Answers},
+};
 use clap::Args;
 use contract::{Case, Model};
 use serde::Serialize;
@@ -12,7 +15,7 @@ use super::{
     output::{Format, print},
 };
 
-/// Check a scene file, and say what it is in dimensionless terms; or print the JSON Schema of scene files
+/// Say what a scene is in dimensionless terms, and answer what it asks; or print the JSON Schema of scene files
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML
@@ -41,11 +44,16 @@ struct Answer {
     frequency_parameter: f64,
     /// m/s².
     ground_acceleration: f64,
+    /// The amplitude over the acceleration at which this block of this model begins to rock: what `a_cr` is to be compared with.
+    over_threshold: f64,
     rocks: bool,
-    /// When rocking begins, s; `null` if it never does.
-    initiation: Option<f64>,
     /// The critical amplitude of the linear model; `null` outside of the range of its interpolant.
     a_cr: Option<f64>,
+    /// Relative.
+    tolerance: f64,
+    /// In seconds since the start of the ground motion; `null` for what was not asked.
+    #[serde(flatten)]
+    answers: Answers,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
@@ -56,7 +64,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let path = arguments.file.as_deref().ok_or_else(|| anyhow!("no scene file"))?;
     let scene = read_scene(path)?;
     let case: Case = scene.case()?;
-    let initiation = scene.initiation()?;
+    let answers = scene.answers()?;
     let answer = Answer {
         title: scene.title.clone(),
         a: case.amplitude(),
@@ -68,29 +76,73 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
         frequency_parameter: scene.block.frequency_parameter(),
         ground_acceleration: scene.acceleration(),
-        rocks: initiation.is_some(),
-        initiation: initiation.map(|(time, _)| time),
+        over_threshold: scene.question()?.case.amplitude(),
+        rocks: answers.initiation.is_some(),
         a_cr: critical::interpolated(case.omega(), case.eta()).ok().map(|epsilon| 1.0 + epsilon),
+        tolerance: scene.ask.tolerance,
+        answers,
     };
     arguments.format.print(&answer, text)?;
-    Ok(Verdict::Well)
+    let lost = answer.answers.chattering_time.is_some_and(|chattering| chattering.complete.is_none());
+    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
 }
 
 fn text(answer: &Answer) -> String {
     let Answer { a, omega, eta, model, frequency_parameter, ground_acceleration, .. } = answer;
     let alpha = answer.alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha}"));
     let normalisation = answer.normalisation.map_or(String::new(), |name| format!(" ({name} normalisation)"));
-    let rocks = match (answer.initiation, answer.a_cr) {
+    let rocks = match (answer.answers.initiation, answer.a_cr) {
         (None, _) => "does not rock".to_owned(),
         (Some(time), None) => format!("begins to rock at {time:.6} s"),
         (Some(time), Some(a_cr)) => {
-            let kind = if *a < a_cr { "complete" } else { "incomplete" };
-            format!("begins to rock at {time:.6} s; chattering is {kind} by the linear model, whose a_cr is {a_cr:.6}")
+            let kind = if answer.over_threshold < a_cr { "complete" } else { "incomplete" };
+            format!(
+                "begins to rock at {time:.6} s, at {:.6} times the threshold; chattering is {kind} by the linear model, whose a_cr is {a_cr:.6}",
+                answer.over_threshold
+            )
         }
     };
-    format!(
-        "{}\n  a = {a}{normalisation}, omega = {omega}, eta = {eta}{alpha}, {model}\n  p = {frequency_parameter} 1/s, ground acceleration \
-         {ground_acceleration} m/s^2\n  {rocks}",
-        answer.title
-    )
+    let mut lines = vec![
+        answer.title.clone(),
+        format!("  a = {a}{normalisation}, omega = {omega}, eta = {eta}{alpha}, {model}"),
+        format!("  p = {frequency_parameter} 1/s, ground acceleration {ground_acceleration} m/s^2"),
+        format!("  {rocks}"),
+    ];
+    lines.extend(answered(&answer.answers, answer.tolerance).into_iter().map(|line| format!("  {line}")));
+    lines.join("\n")
+}
+
+/// A line for each thing that was asked.
+fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
+    let Answers { chattering_time, impact_times, rest_periods, response, .. } = answers;
+    let chattering = chattering_time.as_ref().map(|chattering| {
+        let after = if chattering.after_the_motion { ", most of it after the ground had come to rest" } else { "" };
+        match (chattering.seconds, chattering.relative_uncertainty, chattering.complete) {
+            (Some(seconds), Some(off), _) => {
+                let meets = if off <= tolerance { "meets" } else { "DOES NOT MEET" };
+                format!("chattering time: {seconds} s{after}, to {off:.0e} of it, which {meets} the tolerance of {tolerance:.0e}")
+            }
+            (.., None) => format!("chattering time: NOT FOUND ({})", chattering.ending),
+            _ => format!("chattering time: none, the block does not come to rest ({})", chattering.ending),
+        }
+    });
+    let impacts = impact_times
+        .as_ref()
+        .map(|times| format!("impacts at (s): {}", list(times.iter().map(|time| format!("{time:.9}")))));
+    let rests = rest_periods
+        .as_ref()
+        .map(|rests| format!("at rest (s): {}", list(rests.iter().map(|(from, to)| format!("{from:.6} to {to:.6}")))));
+    let whole = response.map(|response| {
+        format!(
+            "rocks {} times from rest to rest, with {} impacts resolved, until {:.6} s: {}",
+            response.bouts, response.impacts, response.end, response.ending
+        )
+    });
+    [chattering, impacts, rests, whole].into_iter().flatten().collect()
+}
+
+/// A list of texts; none is said.
+fn list(texts: impl Iterator<Item = String>) -> String {
+    let texts: Vec<_> = texts.collect();
+    if texts.is_empty() { "none".to_owned() } else { texts.join(", ") }
 }

@@ -210,7 +210,7 @@ fn exponents(table: &Table) -> Result<String, Error> {
     LineChart {
         title: format!("The exponent β of the approach to a_{{cr}} (ω = {})", omega(table)?),
         caption: "1 − τ_{ch}/(T/2) falls as (a_{cr} − a)^β: proven chattering times give the β of the formula to five \
-                  digits, the coefficients of the series to two or three."
+                  digits, the coefficients of the series to three."
             .into(),
         x: Axis::linear("η"),
         y: Axis::linear("β").with_range(0.596, 0.616),

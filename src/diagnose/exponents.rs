@@ -8,7 +8,7 @@ use super::{
     spread,
     truth::{critical_epsilon, proven},
 };
-use crate::panel::{Approach, Expansion, RESUMMED_TERMS, approach, exponent_of_coefficients};
+use crate::panel::{Approach, approach, exponent_of_coefficients};
 
 /// The exponent `β` of `1 - τ_ch/(T/2) ~ (a_cr - a)^β`, three times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,7 +53,7 @@ pub(super) fn measure(omega: f64, done: impl Fn() + Sync) -> Result<Vec<Exponent
     let rows = etas.par_iter().map(|&eta| {
         let Approach { exponent, log_period } = approach(eta);
         let critical = critical_epsilon(omega, eta)?;
-        let coefficients = exponent_of_coefficients(&Expansion::new(omega, eta, RESUMMED_TERMS, 0)?, critical);
+        let coefficients = exponent_of_coefficients(omega, eta, critical);
         let stepping = stepping(omega, eta, critical, log_period);
         done();
         Ok(ExponentRow {

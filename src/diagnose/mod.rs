@@ -9,7 +9,7 @@ mod exponents;
 mod first_error;
 mod fits;
 mod truncation;
-mod truth;
+pub(crate) mod truth;
 
 use std::collections::BTreeMap;
 
@@ -110,7 +110,7 @@ fn expansions(omega: f64, etas: &[f64], done: impl Fn() + Sync) -> Result<Vec<Ex
 }
 
 /// Evenly spread from `low` to `high`, both included.
-fn spread(low: f64, high: f64, steps: usize) -> impl Iterator<Item = f64> + Clone {
+pub(crate) fn spread(low: f64, high: f64, steps: usize) -> impl Iterator<Item = f64> + Clone {
     (0..=steps).map(move |k| low + (high - low) * k as f64 / steps as f64)
 }
 

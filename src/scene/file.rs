@@ -81,7 +81,7 @@ pub struct GroundFields {
     pub duration: Option<Spanned<Duration>>,
 }
 
-/// The amplitude of the ground acceleration, above 0, in one of four ways.
+/// The amplitude of the ground acceleration, from 0 on, in one of four ways.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Amplitude {
@@ -115,7 +115,7 @@ pub enum Duration {
     Cycles(f64),
 }
 
-/// What is asked of the scene. Checked; the commands that there are do as their flags say, but for the model and the number of impacts.
+/// What is asked of the scene: `chattercheck scene` answers it. Other commands do as their flags say, but for the model and the number of impacts.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AskFields {
@@ -123,11 +123,11 @@ pub struct AskFields {
     pub model: Option<ModelName>,
     /// What is wanted; the chattering time unless given.
     pub what: Option<Vec<Question>>,
-    /// How many impacts are listed at the most; 60 unless given.
-    #[schemars(with = "Option<u32>")]
+    /// How many impacts are listed at the most, 1 to 1000000; 60 unless given.
+    #[schemars(with = "Option<u32>", range(min = 1, max = 1_000_000))]
     pub impacts: Option<Spanned<i64>>,
-    /// How accurately, relative; 1e-6 unless given.
-    #[schemars(with = "Option<f64>")]
+    /// How accurately, relative, 1e-15 to 0.5; 1e-6 unless given.
+    #[schemars(with = "Option<f64>", range(min = 1e-15, max = 0.5))]
     pub tolerance: Option<Spanned<f64>>,
 }
 

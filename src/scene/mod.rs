@@ -2,13 +2,16 @@
 //!
 //! Unknown keys, missing ones and impossible values are errors that name the line.
 
+mod answer;
 mod file;
+mod response;
 
 use std::{f64::consts::TAU, fmt, ops::Range};
 
 use contract::{Case, Invalid, Model, Normalisation, Slenderness};
 use toml::Spanned;
 
+pub use answer::{AnswerError, Answers, ChatteringTime, Summary};
 pub use file::{
     Amplitude, AskFields, BlockFields, Duration, Frequency, GroundFields, ModelName, Question, Restitution,
     RestitutionRule, SceneFile,
@@ -17,7 +20,7 @@ pub use file::{
 use crate::case_file::one_line;
 
 /// The largest file that is read.
-const MOST_BYTES: usize = 1 << 20;
+pub const MOST_BYTES: usize = 1 << 20;
 /// Standard for this field; give `gravity` for another.
 const GRAVITY: f64 = 9.81;
 
@@ -134,7 +137,8 @@ impl Scene {
         let text = Text(text);
         let block = Block::read(&file.block, &text)?;
         Ok(Self {
-            title: file.title.unwrap_or_default(),
+            // It is printed: no control characters.
+            title: file.title.unwrap_or_default().chars().filter(|c| !c.is_control()).take(200).collect(),
             ground: Ground::read(&file.ground, &block, &text)?,
             ask: Ask::read(&file.ask, &text)?,
             block,
@@ -188,36 +192,6 @@ impl Scene {
             Frequency::Omega(omega) => omega,
             Frequency::Hz(frequency) => TAU * frequency / self.block.frequency_parameter(),
         }
-    }
-
-    /// When rocking begins, in seconds, and whether the ground then accelerates to the positive side; `None` if it never does.
-    ///
-    /// # Errors
-    /// When the motion starts above the threshold: then the block does not begin to rock at it, as every case does.
-    pub fn initiation(&self) -> Result<Option<(f64, bool)>, Invalid> {
-        let a = match self.ground.amplitude {
-            // The slender block of Eq. 4 begins to rock at g α.
-            Amplitude::OverSlenderThreshold(a) if self.ask.model == Model::Linear => a,
-            _ => self.over_threshold(),
-        };
-        if a <= 1.0 {
-            return Ok(None);
-        }
-        let reached = (1.0 / a).asin();
-        let Some(phase) = self.ground.phase else { return Ok(Some((0.0, true))) };
-        if a * phase.sin().abs() > 1.0 {
-            return Err(Invalid::new(
-                "phase",
-                phase,
-                "one at which the ground acceleration is below the threshold of rocking",
-            ));
-        }
-        // The first time at which |sin| reaches 1/a: it does so once in each half period, at `reached` after its start.
-        let half_turns = ((phase - reached) / std::f64::consts::PI).ceil();
-        let angle = half_turns * std::f64::consts::PI + reached - phase;
-        let time = angle / (self.omega() * self.block.frequency_parameter());
-        let ends = self.ground.duration.is_some_and(|duration| time >= duration);
-        Ok((!ends).then_some((time, half_turns.rem_euclid(2.0) == 0.0)))
     }
 }
 

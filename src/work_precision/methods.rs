@@ -4,7 +4,7 @@ use contract::{Case, Ending, History, Model, Uncertainty};
 
 use crate::{
     atlas::LIFT,
-    panel::{self, Expansion, Restart, Resummed, Solver},
+    panel::{self, Expansion, Ode, Restart, Resummed, Solver},
     specimens::{MoreauJean, Rule, Specimen, Threshold, Verdict},
     zeno,
 };
@@ -135,7 +135,7 @@ fn solvers() -> Vec<Method> {
     methods
 }
 
-fn solved(solver: &Solver, case: &Case) -> Found {
+fn solved(solver: &Ode, case: &Case) -> Found {
     let Ok(counted) = solver.counted(case) else { return Found::failed("declines") };
     let mut history = counted.history;
     let wanted = case.max_impacts();

@@ -4,7 +4,7 @@ use twofloat::TwoFloat;
 use crate::compensated::Compensated;
 use crate::flight::Block;
 use crate::march::{self, Limit, Search, march};
-use crate::number::{Number, real};
+use crate::number::Number;
 use crate::series::Series;
 use crate::truncated;
 
@@ -143,7 +143,7 @@ impl Expansion {
 }
 
 /// To which the coefficients are extrapolated: well below the rounding to a double, because resummation magnifies what is left.
-const PRECISION: f64 = 1e-18;
+pub(crate) const PRECISION: f64 = 1e-18;
 /// What rounding does in doubles it does so much less in double-doubles; two bits are left for chance.
 const ROUNDING: f64 = f64::EPSILON * 4.0;
 
@@ -158,13 +158,6 @@ fn coefficients(limit: &Limit<TwoFloat>, plain: Option<&Limit<f64>>) -> Vec<Coef
             Coefficient { value, error: 0.5 * f64::EPSILON * value.abs() + change + rounding }
         })
         .collect()
-}
-
-impl<T: Number> Block<T> {
-    fn new(omega: f64, eta: f64) -> Self {
-        let omega = real::<T>(omega);
-        Self { eta: real(eta), q: T::one().over(omega * omega) }
-    }
 }
 
 fn scaled(sum: Estimate, unit: f64) -> Estimate {

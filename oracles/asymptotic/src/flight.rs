@@ -23,13 +23,47 @@ pub(crate) struct Block<T> {
     pub(crate) eta: T,
     /// `1/ω²`.
     pub(crate) q: T,
+    /// What `ε` is counted in: 1, or something near its critical value, so that the coefficients stay in the range of a double.
+    pub(crate) unit: T,
+}
+
+impl<T: Number> Block<T> {
+    pub(crate) fn new(omega: f64, eta: f64) -> Self {
+        let omega = real::<T>(omega);
+        Self { eta: real(eta), q: T::one().over(omega * omega), unit: T::one() }
+    }
+
+    /// The same, with `ε` counted in `unit`.
+    pub(crate) fn in_units_of(self, unit: f64) -> Self {
+        Self { unit: real(unit), ..self }
+    }
+
+    /// `ε` times a series.
+    fn epsilon_times(&self, series: &Series<T>) -> Series<T> {
+        series.shifted().scaled(self.unit)
+    }
+
+    /// A duration counted in `θ`; that of an odd flight is one order up.
+    fn in_theta(&self, d: &Series<T>, even: bool) -> Series<T> {
+        if even { d.clone() } else { self.epsilon_times(d) }
+    }
+
+    /// The acceleration `(-i - f)/ε`, times what the duration in `θ` is longer than `d`.
+    fn pull(&self, g: &Series<T>, even: bool) -> Series<T> {
+        if even { g.clone() } else { self.epsilon_times(g).minus(&Series::constant(real(2.0), g.terms())) }
+    }
+
+    /// `f = 1 - ε g`, which is also `dh/dθ`.
+    fn forcing(&self, g: &Series<T>) -> Series<T> {
+        Series::constant(T::one(), g.terms()).minus(&self.epsilon_times(g))
+    }
 }
 
 impl<T: Number> State<T> {
     /// At rest when the forcing reaches the threshold: `f = 1`, `df/dθ = ε (2 + ε)^(1/2)`.
-    pub(crate) fn initiation(terms: usize) -> Self {
+    pub(crate) fn initiation(block: &Block<T>, terms: usize) -> Self {
         let zero = || Series::constant(T::zero(), terms);
-        let root = Series::root_of_two_plus_epsilon(terms);
+        let root = Series::root_of_two_plus_epsilon(terms, block.unit);
         Self { x: zero(), v: zero(), g: zero(), h: root.scaled(-T::one()) }
     }
 
@@ -41,19 +75,19 @@ impl<T: Number> State<T> {
         for terms in doublings(self.x.terms()) {
             (d, after) = self.newton(block, even, &d, terms);
         }
-        (in_theta(&d, even), after)
+        (block.in_theta(&d, even), after)
     }
 
     /// One step of Newton's method from a duration whose terms are known to `terms` of them, at most twice as many; and the state at its end.
     fn newton(&self, block: &Block<T>, even: bool, known: &Series<T>, terms: usize) -> (Series<T>, Self) {
         let d = known.with_terms(terms);
         let (v, g, h) = (self.v.with_terms(terms), self.g.with_terms(terms), self.h.with_terms(terms));
-        let f = forcing(&g);
-        let duration = in_theta(&d, even);
-        let kernels = Kernels::new(&duration, block.q);
+        let f = block.forcing(&g);
+        let duration = block.in_theta(&d, even);
+        let kernels = Kernels::new(&duration, block.q, block.unit);
         let ([s0, s1, s2], [p2, p3, p4]) = (&kernels.of_state, &kernels.of_forcing);
         let square = duration.times(&duration);
-        let pulled = d.times(&pull(&g, even));
+        let pulled = d.times(&block.pull(&g, even));
         let fd = f.times(&duration);
         // Φ/D, the known root at the start divided out, and dΦ/dθ at the end.
         let rotation = v.times(s1).plus(&pulled.times(s2)).plus(&square.times(&h.times(p3).plus(&fd.times(p4))));
@@ -62,17 +96,17 @@ impl<T: Number> State<T> {
         let mut step = d.times(&rotation).over(&velocity);
         step.0.iter_mut().take(known.terms()).for_each(|term| *term = T::zero());
         // The state belongs to the duration before the step; to the order kept a step changes it in proportion.
-        let step_in_theta = in_theta(&step, even);
+        let step_in_theta = block.in_theta(&step, even);
         let [c0, c1, c2] = &kernels.of_phase;
         let g = g.plus(&square.times(&f).times(c2)).plus(&h.times(&duration).times(c1));
         let h = h.times(c0).plus(&fd.times(c1));
-        let velocity = velocity.minus(&pull(&g, even).times(&step));
+        let velocity = velocity.minus(&block.pull(&g, even).times(&step));
         let d = d.minus(&step);
         let after = Self {
-            x: self.x.plus(&in_theta(&d, even)),
+            x: self.x.plus(&block.in_theta(&d, even)),
             v: velocity.scaled(block.eta),
             g: g.minus(&h.times(&step_in_theta)),
-            h: h.minus(&forcing(&g).times(&step_in_theta)),
+            h: h.minus(&block.forcing(&g).times(&step_in_theta)),
         };
         (d, after)
     }
@@ -93,21 +127,6 @@ impl<T: Number> State<T> {
         }
         duration
     }
-}
-
-/// A duration counted in `θ`; that of an odd flight is one order up.
-fn in_theta<T: Number>(d: &Series<T>, even: bool) -> Series<T> {
-    if even { d.clone() } else { d.shifted() }
-}
-
-/// The acceleration `(-i - f)/ε`, times what the duration in `θ` is longer than `d`.
-fn pull<T: Number>(g: &Series<T>, even: bool) -> Series<T> {
-    if even { g.clone() } else { g.shifted().minus(&Series::constant(real(2.0), g.terms())) }
-}
-
-/// `f = 1 - ε g`, which is also `dh/dθ`.
-fn forcing<T: Number>(g: &Series<T>) -> Series<T> {
-    Series::constant(T::one(), g.terms()).minus(&g.shifted())
 }
 
 /// Numbers of terms from 1, each at most twice the one before, up to `terms`.

@@ -15,12 +15,12 @@ pub(crate) struct Kernels<T> {
 }
 
 impl<T: Number> Kernels<T> {
-    /// At the duration `d`, for `q = 1/ω²`.
-    pub(crate) fn new(d: &Series<T>, q: T) -> Self {
+    /// At the duration `d`, for `q = 1/ω²`, with `ε` counted in `unit`.
+    pub(crate) fn new(d: &Series<T>, q: T, unit: T) -> Self {
         let terms = d.terms();
         let zeros = || std::array::from_fn(|_| Series::constant(T::zero(), terms));
         let mut kernels = Self { of_state: zeros(), of_forcing: zeros(), of_phase: zeros() };
-        let w = d.times(d).shifted();
+        let w = d.times(d).shifted().scaled(unit);
         let mut power = Series::constant(T::one(), terms);
         let (mut q_power, mut forcing, mut sign) = (T::one(), T::one(), T::one());
         // 1/(2m)!

@@ -41,7 +41,7 @@ pub(crate) fn march<T: Number>(
 ) -> (Vec<Impact<T>>, Option<Limit<T>>) {
     let mut listed = Vec::new();
     let mut limit = None;
-    let mut state = State::initiation(terms);
+    let mut state = State::initiation(block, terms);
     let mut columns: Vec<Series<T>> = Vec::new();
     for pair in 1..=MOST_PAIRS.max(impacts.div_ceil(2)) {
         for even in [true, false] {

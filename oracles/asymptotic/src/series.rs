@@ -13,9 +13,9 @@ impl<T: Number> Series<T> {
         series
     }
 
-    /// `√(2 + ε) = √2 (1 + ε/2)^(1/2)`.
-    pub(crate) fn root_of_two_plus_epsilon(terms: usize) -> Self {
-        let ratio = |k: usize| real::<T>(1.5 - k as f64).over(real(2.0 * k as f64));
+    /// `√(2 + ε) = √2 (1 + ε/2)^(1/2)`, with `ε` counted in `unit`.
+    pub(crate) fn root_of_two_plus_epsilon(terms: usize, unit: T) -> Self {
+        let ratio = |k: usize| unit * real::<T>(1.5 - k as f64).over(real(2.0 * k as f64));
         let first = real::<T>(2.0).root();
         Self((1..).scan(first, |next, k| Some(std::mem::replace(next, *next * ratio(k)))).take(terms).collect())
     }
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn the_root_squared_is_two_plus_epsilon() {
-        let root = Series::<TwoFloat>::root_of_two_plus_epsilon(12);
+        let root = Series::<TwoFloat>::root_of_two_plus_epsilon(12, 1.0.into());
         let mut expected = series(&[0.0; 12]);
         expected.0[0] = 2.0.into();
         expected.0[1] = 1.0.into();

@@ -102,16 +102,21 @@ fn too_few_terms_are_refused() {
 
 #[test]
 fn the_exponent_from_the_coefficients_is_that_of_the_formula() {
-    for (omega, eta, critical) in certified() {
-        let expansion = Expansion::new(omega, eta, RESUMMED_TERMS, 0).unwrap();
-        let estimate = exponent_of_coefficients(&expansion, critical).unwrap();
+    let check = |(omega, eta, critical): (f64, f64, f64)| {
+        let estimate = exponent_of_coefficients(omega, eta, critical).unwrap();
         let error = (estimate.value - approach(eta).exponent).abs();
         println!("{omega} {eta}: exponent {} off by {error:e} of {:e}", estimate.value, estimate.uncertainty);
         assert!(error < estimate.uncertainty, "{omega} {eta}: {error:e} claims {:e}", estimate.uncertainty);
-        if (0.6..0.95).contains(&eta) && omega > 1.0 {
-            assert!(error < 5e-4, "{omega} {eta}: {error:e}");
+        if omega > 1.0 {
+            assert!(error < 5e-4 && estimate.uncertainty < 1.4e-3, "{omega} {eta}: {error:e}");
         }
-    }
+    };
+    // Some seconds each at the largest restitution.
+    std::thread::scope(|scope| {
+        for case in certified() {
+            scope.spawn(move || check(case));
+        }
+    });
 }
 
 /// The claims outside of the table: random frequencies and restitutions, up to just below the critical amplitude; and above it, no value.

@@ -4,24 +4,29 @@
 //! A flight is followed in local time as the distance from the base, `u = i φ >= 0`, for which Eq. 4 reads
 //! `u'' = u - 1 - i f`. `flow` is its exact solution, `forcing` the excitation, `flight` finds the first impact and
 //! proves that it is the first, `march` does so where Newton's method can't, `sequence` strings flights together,
-//! and `rest` knows when the rest of the sequence is certain. `sensitivity` follows the same impacts with `dual` numbers, which carry
-//! their derivatives by the parameters.
+//! and `rest` knows when the rest of the sequence is certain. `flights` offers the flights one at a time, and from anywhere; `still` is those on a
+//! ground that has come to rest. `sensitivity` follows the same impacts with `dual` numbers, which carry
+//! their derivatives by the parameters, and `slenderness` with power series in
+//! the slenderness, which carry what the linear model leaves out.
 #![cfg_attr(test, allow(clippy::indexing_slicing))]
 
 mod dual;
 mod error;
 mod flight;
+mod flights;
 mod flow;
 mod forcing;
 mod march;
 mod rest;
 mod sensitivity;
 mod sequence;
+mod slenderness;
+mod still;
 mod twofold;
 
-use contract::{Case, Decline, Ending, History, Model, Oracle, Sensitivity};
+use contract::{Case, Decline, Ending, FlightSolver, History, Model, Oracle, Sensitivity, SlendernessShift};
 
-use crate::{forcing::Excitation, sensitivity::Follower};
+use crate::{flights::Flights, forcing::Excitation, sensitivity::Derivatives, slenderness::Shifts};
 
 /// The unit round-off.
 const UNIT: f64 = 0.5 * f64::EPSILON;
@@ -57,9 +62,25 @@ impl Oracle for ClosedForm {
         }
         within_reach(case).ok()?;
         let excitation = Excitation::new(case.epsilon(), case.omega());
-        let mut follower = Follower::new(&excitation, case.eta());
+        let mut follower = Derivatives::new(&excitation, case.eta());
         sequence::follow(case, &excitation, Some(&mut follower));
         Some(follower.found)
+    }
+
+    fn slenderness_shifts(&self, case: &Case) -> Option<Vec<SlendernessShift>> {
+        if case.epsilon() <= 0.0 {
+            return Some(Vec::new());
+        }
+        within_reach(case).ok()?;
+        let excitation = Excitation::new(case.epsilon(), case.omega());
+        let mut follower = Shifts::new(case.omega());
+        sequence::follow(case, &excitation, Some(&mut follower));
+        Some(follower.found)
+    }
+
+    fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
+        within_reach(case)?;
+        Ok(Box::new(Flights::new(case)))
     }
 }
 

@@ -6,29 +6,63 @@
 
 use crate::{
     flight::{Landing, Outcome, Takeoff},
+    forcing::Forcing,
     twofold::Twofold,
 };
 
 /// A flight takes more steps than this only if its horizon is thousands of periods away.
 const STEPS: usize = 1_000_000;
 
+/// How a march ends.
+pub(crate) enum End {
+    /// At the base, after the time `elapsed`.
+    Base {
+        elapsed: f64,
+        /// `u` and `u'`.
+        state: (f64, f64),
+        /// `u''` without what the rotation adds.
+        acceleration: f64,
+        /// The largest `|u| + |u'|` on the way.
+        size: f64,
+    },
+    /// In the air past the horizon.
+    Aloft,
+    /// Where no return is possible, after this time.
+    Overturned(f64),
+    /// Nowhere.
+    Stuck,
+}
+
 /// Follows the flight to its first impact, its horizon, or past the point of no return.
 pub(crate) fn fly(takeoff: Takeoff) -> Outcome {
-    let Takeoff { excitation, flow, time, sign, speed, forcing, horizon, .. } = takeoff;
+    match follow(&takeoff, (0.0, takeoff.speed)) {
+        End::Base { elapsed, state, acceleration, size } => {
+            Outcome::Landing(land(&takeoff, elapsed, state, acceleration, size))
+        }
+        End::Aloft => Outcome::Aloft,
+        End::Overturned(_) => Outcome::Overturned,
+        End::Stuck => Outcome::Stuck,
+    }
+}
+
+/// Follows a flight that starts anywhere, with `u` and `u'` as in `state`: on the base, at rest on it where the forcing pushes it away, or in
+/// the air.
+pub(crate) fn follow(takeoff: &Takeoff, mut state: (f64, f64)) -> End {
+    let Takeoff { excitation, flow, time, sign, forcing, horizon, .. } = *takeoff;
     let (amplitude, omega) = (excitation.amplitude, excitation.omega);
     let longest = 0.5 * flow.longest();
 
     let mut elapsed = Twofold::ZERO;
-    let mut state = (0.0, speed);
     let mut here = forcing;
-    if speed == 0.0 {
-        // At initiation u, u', u'' vanish, and u'''' >= -1 - |ω² - 1| a: half of 4 j over that is before the first root.
-        let clear = 2.0 * forcing.jerk / (1.0 + (omega * omega - 1.0).abs() * amplitude);
-        let step = clear.min(longest);
+    let at_rest = state == (0.0, 0.0);
+    if at_rest {
+        let step = clear(&forcing, amplitude, omega).min(longest);
         state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
         here = excitation.forcing(sign, excitation.half_phase(time.plus(step)));
     }
+    // Just above the threshold a block at rest first moves in a time of its own, however short: what the forcing does later must not shorten its steps.
+    let pushed = at_rest && forcing.acceleration > 0.0;
 
     let mut size: f64 = 0.0;
     for _ in 0..STEPS {
@@ -36,23 +70,40 @@ pub(crate) fn fly(takeoff: Takeoff) -> Outcome {
         size = size.max(rotation.abs() + velocity.abs());
         // (u + u')' = u + u' - 1 - i f is positive from here on, so u + u' stays positive: u cannot come down through zero.
         if rotation + velocity > 1.0 + amplitude {
-            return Outcome::Overturned;
+            return End::Overturned(elapsed.value());
         }
         if elapsed.high >= horizon {
-            return Outcome::Aloft;
+            return End::Aloft;
         }
-        let step = safe_step(state, here.acceleration, longest, |step| {
+        let reach = if pushed { longest.min(2.0 * elapsed.high) } else { longest };
+        let step = safe_step(state, here.acceleration, reach, |step| {
             (omega * amplitude).min((-here.jerk).max(0.0) + omega * omega * amplitude * step)
         });
         let arrived = rotation <= 0.0 && elapsed.high > 0.0;
         if arrived || step <= 0.25 * f64::EPSILON * elapsed.high {
-            return Outcome::Landing(land(&takeoff, elapsed.value(), state, here.acceleration, size));
+            return End::Base { elapsed: elapsed.value(), state, acceleration: here.acceleration, size };
         }
         state = flow.advance(step, state, &here);
         elapsed = elapsed.plus(step);
         here = excitation.forcing(sign, excitation.half_phase(time.plus(elapsed.high).plus(elapsed.low)));
     }
-    Outcome::Stuck
+    End::Stuck
+}
+
+/// How long a block is off its base for sure that starts from rest, by `u'''' >= -Q` with `Q = 1 + |ω² - 1| a`.
+fn clear(forcing: &Forcing, amplitude: f64, omega: f64) -> f64 {
+    let Forcing { acceleration, jerk, .. } = *forcing;
+    let bound = 1.0 + (omega * omega - 1.0).abs() * amplitude;
+    // u >= b s²/2 + j s³/6 - Q s⁴/24. If it is pushed ever harder, half of 4 j/Q, where the last two are 0, is before the first root;
+    let growing = 2.0 * jerk / bound;
+    // and if it is pushed at all, so is where the last two take off a third of the first each.
+    let pushed = if acceleration > 0.0 {
+        let turning = if jerk < 0.0 { -acceleration / jerk } else { f64::INFINITY };
+        turning.min(2.0 * (acceleration / bound).sqrt())
+    } else {
+        0.0
+    };
+    growing.max(pushed)
 }
 
 /// A step before which there is no root: to the first root of the parabola under `u`, or `longest`. `fall` bounds how fast the

@@ -11,11 +11,12 @@ use crate::{
     flight::Takeoff,
     flow::Flow,
     forcing::{Excitation, Forcing},
+    sequence::Follower,
     twofold::Twofold,
 };
 
 /// Follows the impacts of one case.
-pub(crate) struct Follower {
+pub(crate) struct Derivatives {
     omega: Dual,
     eta: Dual,
     /// `sqrt(2ε + ε²)`.
@@ -28,7 +29,7 @@ pub(crate) struct Follower {
     pub found: Vec<Sensitivity>,
 }
 
-impl Follower {
+impl Derivatives {
     /// At initiation, where time and speed are zero whatever the case.
     pub fn new(excitation: &Excitation, eta: f64) -> Self {
         let omega = Dual::parameter(excitation.omega, 1);
@@ -43,21 +44,6 @@ impl Follower {
             speed: Dual::from(0.0),
             found: Vec::new(),
         }
-    }
-
-    /// Follows one more flight, from its takeoff to its landing.
-    #[cold]
-    #[inline(never)]
-    pub fn land(&mut self, takeoff: &Takeoff, interval: f64) {
-        self.speed.value = takeoff.speed;
-        self.time.value = takeoff.time.value();
-        let (interval, lost) =
-            if interval <= self.flow.longest() { self.short(takeoff, interval) } else { self.long(takeoff, interval) };
-        self.time = self.time + interval;
-        self.speed = (self.speed - lost) * self.eta;
-        // The flight after the impact is on the other side.
-        let velocity = self.speed.scaled(-takeoff.sign).by;
-        self.found.push(Sensitivity { time: self.time.by, interval: interval.by, velocity });
     }
 
     /// The duration of a flight that is summed at once, and how much slower it lands than it left.
@@ -93,5 +79,21 @@ impl Follower {
         let start = Dual { value: time.value(), ..self.time };
         let half = half.with_derivatives((start * self.omega).scaled(0.5));
         Forcing::new(takeoff.sign, half, self.cosine, self.omega)
+    }
+}
+
+impl Follower for Derivatives {
+    #[cold]
+    #[inline(never)]
+    fn land(&mut self, takeoff: &Takeoff, interval: f64) {
+        self.speed.value = takeoff.speed;
+        self.time.value = takeoff.time.value();
+        let (interval, lost) =
+            if interval <= self.flow.longest() { self.short(takeoff, interval) } else { self.long(takeoff, interval) };
+        self.time = self.time + interval;
+        self.speed = (self.speed - lost) * self.eta;
+        // The flight after the impact is on the other side.
+        let velocity = self.speed.scaled(-takeoff.sign).by;
+        self.found.push(Sensitivity { time: self.time.by, interval: interval.by, velocity });
     }
 }

@@ -9,15 +9,20 @@ use crate::{
     flow::Flow,
     forcing::{Excitation, HalfPhase},
     rest::ProofOfRest,
-    sensitivity::Follower,
     twofold::{Split, Twofold},
 };
 
 /// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
 const SLOWEST: f64 = 1e-280;
 
-/// Steps through the impacts of a case that rocks. A `follower` is shown every flight that ends in an impact of the list.
-pub(crate) fn follow(case: &Case, excitation: &Excitation, mut follower: Option<&mut Follower>) -> History {
+/// What is shown every flight that ends in an impact of the list.
+pub(crate) trait Follower {
+    /// Follows one more flight, from its takeoff to its landing.
+    fn land(&mut self, takeoff: &Takeoff, interval: f64);
+}
+
+/// Steps through the impacts of a case that rocks, and shows them to a `follower`.
+pub(crate) fn follow(case: &Case, excitation: &Excitation, mut follower: Option<&mut dyn Follower>) -> History {
     let flow = Flow::new(case.omega());
     let half_period = core::f64::consts::PI / case.omega();
     let (horizon, beyond) = match case.horizon() {

@@ -52,6 +52,20 @@ pub struct Sensitivity {
     pub velocity: [f64; 3],
 }
 
+/// How an impact of the linear model (Eq. 4) moves when the block is less slender than that model has it: the first three coefficients of the
+/// power series in `μ = 2(1/cos α - 1)` of the impact of the nonlinear model (Eq. 2) under
+/// [`Normalisation::Threshold`](crate::Normalisation::Threshold). As `μ = α² + O(α⁴)`, the first is the derivative by `α²` at `α = 0`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlendernessShift {
+    /// Of [`Impact::time`], in `τ`.
+    pub time: [f64; 3],
+    /// Of [`Impact::interval`], relative to that of the linear model.
+    pub interval: [f64; 3],
+    /// Of [`Impact::velocity`] times `α/sin α`, relative to that of the linear model. The factor is that of every rotation of Eq. 2: it
+    /// multiplies the acceleration at the base, and moves no impact.
+    pub velocity: [f64; 3],
+}
+
 /// A value, and the largest error claimed for it, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {

@@ -17,11 +17,13 @@
 extern crate alloc;
 
 mod case;
+mod flight;
 mod history;
 mod invalid;
 mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
-pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, Uncertainty};
+pub use flight::{Arrival, Departure, FlightSolver, Ground};
+pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, SlendernessShift, Uncertainty};
 pub use invalid::Invalid;
 pub use oracle::{Decline, Model, Oracle};

@@ -1,7 +1,7 @@
-use alloc::{string::String, vec::Vec};
+use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Case, History, Sensitivity};
+use crate::{Case, FlightSolver, History, Sensitivity, SlendernessShift};
 
 /// One method that turns a case into an impact history.
 ///
@@ -24,6 +24,21 @@ pub trait Oracle: Send + Sync {
     /// know, or declines the case.
     fn sensitivities(&self, _case: &Case) -> Option<Vec<Sensitivity>> {
         None
+    }
+
+    /// How the impacts of that history, of the linear model, move when the block is less slender than the model has it, impact by impact;
+    /// `None` from an oracle that does not know, or declines the case. The slenderness of the case is not looked at.
+    fn slenderness_shifts(&self, _case: &Case) -> Option<Vec<SlendernessShift>> {
+        None
+    }
+
+    /// A solver for single flights of this block under this motion of the ground, from anywhere.
+    ///
+    /// # Errors
+    /// A [`Decline`] from a method that only follows whole histories, or cannot do the case. A case at or below the threshold is declined too: from
+    /// rest its block never flies.
+    fn flights(&self, _case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
+        Err(Decline::Unsupported { what: "single flights" })
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Block {
     pub eta: f64,
     /// The slenderness angle `α`.
     pub alpha: f64,
-    /// `a`, in multiples of the threshold of Eq. 1.
+    /// `a`, in multiples of the threshold of Eq. 1; 0 on still ground.
     pub amplitude: f64,
     /// `q = a cos ψ = sqrt(ε(2 + ε))`.
     pub q: f64,
@@ -58,9 +58,17 @@ impl Block {
         }
     }
 
+    /// The same block on ground that has come to rest.
+    pub fn on_still_ground(self) -> Self {
+        Self { amplitude: 0.0, ..self }
+    }
+
     /// The forcing at `τ = tau`, for the flight of sign `side`. With `x = ωτ`: `f = q sin x + cos x`, hence
     /// `1 - f = 2 sin(x/2)[sin(x/2) - q cos(x/2)]` and `1 + f = 2 cos(x/2)[cos(x/2) + q sin(x/2)]`.
     pub fn forcing(&self, side: f64, tau: f64) -> Forcing {
+        if self.amplitude == 0.0 {
+            return Forcing { gravity: 1.0, value: 0.0, slope: 0.0 };
+        }
         let (sh, ch) = (0.5 * self.omega * tau).sin_cos();
         let (sin, cos) = (2.0 * sh * ch, (ch - sh) * (ch + sh));
         let gravity = if side < 0.0 { 2.0 * sh * (sh - self.q * ch) } else { 2.0 * ch * (ch + self.q * sh) };

@@ -34,53 +34,95 @@ const TRUNCATION: f64 = 1e-18;
 /// The longest step, in units of the flight's own time.
 const LONGEST: f64 = 2.0;
 
+/// A flight as far as it was followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Course {
+    /// How it ended.
+    pub landing: Landing,
+    /// For how long it was followed.
+    pub elapsed: f64,
+    /// The rotation and velocity then, away from the base; those of the impact if it ended with one.
+    pub state: (f64, f64),
+}
+
 /// The flight of sign `side` that leaves at `tau` with speed `speed`, or with jerk if `speed` is 0 (initiation), and may last
 /// until `remaining` later.
 pub fn fly(block: &Block, side: f64, tau: f64, speed: f64, remaining: f64) -> Landing {
+    follow(block, side, tau, (0.0, speed), remaining).landing
+}
+
+/// The flight from anywhere: from the rotation and velocity given, both away from the base. From rest on the base it leaves with the acceleration
+/// that pushes it away, or where none does, with jerk.
+pub fn follow(block: &Block, side: f64, tau: f64, (rotation, speed): (f64, f64), remaining: f64) -> Course {
     let start = block.forcing(side, tau);
-    let first = speed == 0.0;
-    let (scale, rate) = if first { first_scale(block) } else { scale(block, &start, speed) };
+    let at_rest = rotation == 0.0 && speed == 0.0;
+    let Start { scale, rate, mut multiplicity } = if rotation > 0.0 {
+        Start { scale: scale_aloft(block, &start, (rotation, speed)), rate: 1.0, multiplicity: 0 }
+    } else if !at_rest {
+        let (scale, rate) = scale(block, &start, speed);
+        Start { scale, rate, multiplicity: 1 }
+    } else if start.gravity < 0.0 {
+        Start { scale: scale_pushed(block, &start), rate: 1.0, multiplicity: 2 }
+    } else {
+        let (scale, rate) = first_scale(block);
+        Start { scale, rate, multiplicity: 3 }
+    };
     let order = order(rate);
-    let mut state = if first { (0.0, 0.0) } else { (0.0, 1.0) };
-    let mut multiplicity = if first { 3 } else { 1 };
+    let unit = scale.velocity * scale.time;
+    let mut state =
+        if rotation > 0.0 { (rotation / unit, speed / scale.velocity) } else { (0.0, speed / scale.velocity) };
     let mut forcing = start;
-    if first {
+    if multiplicity == 3 {
         forcing.gravity = 0.0;
     }
     let mut elapsed = 0.0;
+    let course = |landing, elapsed, state: (f64, f64)| Course {
+        landing,
+        elapsed,
+        state: (state.0 * unit, state.1 * scale.velocity),
+    };
     for steps in 1..=MOST_STEPS {
         let series = expand(block, &forcing, &scale, state, order);
         let deflated = series.from(multiplicity);
         if !deflated.iter().all(|c| c.is_finite()) {
-            return Landing::Lost(Loss::NotFinite);
+            return course(Landing::Lost(Loss::NotFinite), elapsed, state);
         }
         let step = reliable(deflated, leading(multiplicity, &forcing));
         let ends = elapsed + step * scale.time >= remaining;
         let step = if ends { ((remaining - elapsed) / scale.time).min(step) } else { step };
         match first_root(deflated, step) {
             Root::At(x) => {
-                let speed = -evaluate(series.from(0), x).1 * scale.velocity;
-                return Landing::Impact { interval: elapsed + x * scale.time, speed, steps };
+                let arrival = evaluate(series.from(0), x).1;
+                let interval = elapsed + x * scale.time;
+                let landing = Landing::Impact { interval, speed: -arrival * scale.velocity, steps };
+                return course(landing, interval, (0.0, arrival));
             }
-            Root::Below => return Landing::Lost(Loss::FellThrough),
+            Root::Below => return course(Landing::Lost(Loss::FellThrough), elapsed, state),
             Root::None => {}
         }
         state = evaluate(series.from(0), step);
-        if block.overturned(state.0 * scale.velocity * scale.time, state.1) {
-            return Landing::Overturned;
+        if block.overturned(state.0 * unit, state.1) {
+            return course(Landing::Overturned, elapsed + step * scale.time, state);
         }
         if ends {
-            return Landing::Flying;
+            return course(Landing::Flying, remaining, state);
         }
         let before = elapsed;
         elapsed += step * scale.time;
         if elapsed <= before {
-            return Landing::Lost(Loss::Stalled);
+            return course(Landing::Lost(Loss::Stalled), elapsed, state);
         }
         multiplicity = 0;
         forcing = block.forcing(side, tau + elapsed);
     }
-    Landing::Lost(Loss::SolverFailed)
+    course(Landing::Lost(Loss::SolverFailed), elapsed, state)
+}
+
+/// The units in which a flight is followed, how fast its series converges at most, and how many factors of time divide its rotation at the start.
+struct Start {
+    scale: Scale,
+    rate: f64,
+    multiplicity: usize,
 }
 
 /// The longest time in which every term of the equation stays expandable: the excitation and the block itself.
@@ -109,6 +151,27 @@ fn scale(block: &Block, forcing: &Forcing, speed: f64) -> (Scale, f64) {
     (Scale { time, velocity: speed }, rate)
 }
 
+/// The units of a flight that is pushed from rest on the base, `u = K |G| s²/2` and more: if the push falls, until it has turned and the block lands,
+/// however soon; if it grows, those of the first flight, which it then is but for its start.
+fn scale_pushed(block: &Block, forcing: &Forcing) -> Scale {
+    let pull = block.slope * forcing.gravity.abs();
+    // Of G, which is negative: a falling G is a growing push.
+    let jerk = block.slope * block.omega * forcing.slope;
+    if jerk < 0.0 {
+        return first_scale(block).0;
+    }
+    let time = cap(block).min(3.0 * pull / jerk).min((block.alpha * pull).sqrt().recip());
+    Scale { time, velocity: pull * time }
+}
+
+/// The units of a flight that starts in the air: the speed with which it would land, and the time in which it would, under the pull that there is.
+fn scale_aloft(block: &Block, forcing: &Forcing, (rotation, speed): (f64, f64)) -> Scale {
+    let pull = block.slope * forcing.gravity.abs();
+    let velocity = speed.hypot((2.0 * pull * rotation).sqrt()).max(rotation / cap(block));
+    let time = cap(block).min(1.0 / (block.alpha * velocity)).min(2.0 * velocity / pull);
+    Scale { time, velocity }
+}
+
 /// The order that a series needs whose terms fall off as `rate^k`, at twice its unit of time; five terms more for what is
 /// not of that size.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -120,7 +183,7 @@ fn order(rate: f64) -> usize {
 /// How many terms of a series tell its size: the first one when it starts from a root, two when it is pushed away from it.
 fn leading(multiplicity: usize, forcing: &Forcing) -> usize {
     match multiplicity {
-        0 => 3,
+        0 | 2 => 3,
         1 if forcing.gravity < 0.0 => 2,
         _ => 1,
     }

@@ -7,13 +7,15 @@
 
 pub mod equation;
 pub mod flight;
+mod flights;
 pub mod sequence;
 pub mod series;
 #[cfg(test)]
 mod tests;
 
-use contract::{Case, Decline, Ending, History, Model, Oracle};
+use contract::{Case, Decline, Ending, FlightSolver, History, Model, Oracle};
 use equation::{Block, excess};
+use flights::Flights;
 
 /// The solver of Eq. 2 by Taylor series.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,15 +36,27 @@ impl Oracle for Taylor {
         if epsilon <= 0.0 {
             return Ok(History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None });
         }
-        inside("epsilon", epsilon, epsilon >= 1e-60, "epsilon (effective) <= 0 or >= 1e-60")?;
-        inside("omega", case.omega(), (1e-3..=1e3).contains(&case.omega()), "1e-3 <= omega <= 1e3")?;
-        inside("eta", case.eta(), case.eta() >= 1e-6, "eta >= 1e-6")?;
+        within_reach(case, epsilon)?;
         let alpha = slenderness.alpha();
         let block = Block::new(epsilon, case.omega(), case.eta(), alpha);
         let shifted = Block::new(epsilon * (1.0 + 1e-14 + 8.0 * rounding), case.omega(), case.eta(), alpha);
         let damped = Block::new(epsilon, case.omega() * (1.0 + 1e-15), case.eta() * (1.0 - 1e-15), alpha);
         Ok(sequence::history(&block, &[shifted, damped], case.horizon(), case.max_impacts()))
     }
+
+    fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
+        let slenderness = case.slenderness().ok_or(Decline::NeedsSlenderness)?;
+        let (epsilon, _) = excess(case.epsilon(), slenderness);
+        within_reach(case, epsilon)?;
+        Ok(Box::new(Flights(Block::new(epsilon, case.omega(), case.eta(), slenderness.alpha()))))
+    }
+}
+
+/// Refuses what the method cannot do; `epsilon` is that of the threshold of Eq. 1.
+fn within_reach(case: &Case, epsilon: f64) -> Result<(), Decline> {
+    inside("epsilon", epsilon, epsilon >= 1e-60, "epsilon (effective) <= 0 or >= 1e-60")?;
+    inside("omega", case.omega(), (1e-3..=1e3).contains(&case.omega()), "1e-3 <= omega <= 1e3")?;
+    inside("eta", case.eta(), case.eta() >= 1e-6, "eta >= 1e-6")
 }
 
 /// The refusal of a `value` that the method cannot do.

@@ -11,8 +11,8 @@ pub(super) enum Power {
     Pair(TwoFloat, TwoFloat),
 }
 
-/// At `η = 0.75` and 96 terms the exponent from the coefficients is right to 2e-4 with the periodic factor, and to 2e-3 without; at 0.8 the
-/// coefficients say nothing of it that is not lost among the other powers.
+/// At `η = 0.75` and 96 terms the exponent with which `H` vanishes at the critical amplitude is right to 2e-4 with the periodic factor, and to
+/// 2e-3 without; at 0.8 the coefficients say nothing of it that is not lost among the other powers.
 const PERIODIC_BELOW: f64 = 0.78;
 
 impl Power {

@@ -1,0 +1,101 @@
+//! Free rocking on still ground, `u'' = u - 1`, in closed form.
+//!
+//! With `w = 1 - u`, `w'' = w`: the energy `w² - w'²` is kept, and `w + w'` grows as `e^s`. The block lands where `w = 1`, with the speed
+//! `sqrt(u'² + u(2 - u))`, if `w + w'` is positive, `u + u' < 1`; otherwise it never does.
+
+use contract::Arrival;
+
+/// The flight from the rotation `u >= 0` with the velocity `v`, both away from the base.
+pub(crate) fn fly((u, v): (f64, f64), horizon: f64) -> Arrival {
+    let toward = 1.0 - (u + v);
+    if toward <= 0.0 {
+        return Arrival::Overturned { after: 0.0 };
+    }
+    let speed = (v * v + u * (2.0 - u)).sqrt();
+    // e^s = (1 + speed)/(1 - u - v). What this has above 1 is a sum of positive numbers once v < 0 no longer cancels.
+    let sum = if v >= 0.0 { speed + v } else { u * (2.0 - u) / (speed - v) };
+    let interval = ((sum + u) / toward).ln_1p();
+    if interval <= horizon {
+        return Arrival::Impact { interval, speed };
+    }
+    let (rotation, velocity) = motion((u, v), horizon);
+    Arrival::Aloft { rotation, velocity }
+}
+
+/// The rotation and the velocity a time `s` later: `u + v sinh s - (1 - u)(cosh s - 1)`.
+pub(crate) fn motion((u, v): (f64, f64), s: f64) -> (f64, f64) {
+    let half = (0.5 * s).sinh();
+    let (sinh, cosh_less_one) = (s.sinh(), 2.0 * half * half);
+    (u + (v * sinh - (1.0 - u) * cosh_less_one), v + (v * cosh_less_one - (1.0 - u) * sinh))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use proptest::prelude::*;
+
+    fn landing(start: (f64, f64)) -> (f64, f64) {
+        match fly(start, f64::INFINITY) {
+            Arrival::Impact { interval, speed } => (interval, speed),
+            other => panic!("{start:?}: {other:?}"),
+        }
+    }
+
+    proptest! {
+        /// What lands is at the base and has not lost any energy, wherever it started.
+        #[test]
+        fn a_free_flight_lands_on_the_base_with_the_energy_it_had(u in 0.0..0.999f64, share in -3.0..0.999f64) {
+            let start = (u, share * (1.0 - u));
+            prop_assume!(u > 0.0 || share > 0.0);
+            let (interval, speed) = landing(start);
+            let (rotation, velocity) = motion(start, interval);
+            let size = (1.0 + start.1.abs()) * interval.cosh();
+            prop_assert!(rotation.abs() <= 4e-15 * size, "{rotation}");
+            prop_assert!((velocity + speed).abs() <= 4e-15 * size, "{velocity} {speed}");
+        }
+
+        /// Two stretches are one of both lengths, and the motion obeys u'' = u - 1.
+        #[test]
+        fn the_motion_is_that_of_the_equation(u in 0.0..1.5f64, v in -1.0..1.0f64, s in 0.0..2.0f64, t in 0.0..2.0f64) {
+            let (one, two) = (motion(motion((u, v), s), t), motion((u, v), s + t));
+            prop_assert!((one.0 - two.0).abs() < 1e-13 && (one.1 - two.1).abs() < 1e-13);
+            let d = 1e-4;
+            let second = (motion((u, v), s + d).1 - motion((u, v), s - d).1) / (2.0 * d);
+            prop_assert!((second - (two_at((u, v), s) - 1.0)).abs() < 1e-5);
+        }
+    }
+
+    fn two_at(start: (f64, f64), s: f64) -> f64 {
+        motion(start, s).0
+    }
+
+    /// Housner (1963): released at rest from `u`, a block takes `acosh(1/(1 - u))` to land.
+    #[test]
+    fn a_quarter_period_is_that_of_housner() {
+        for u in [1e-9, 1e-3, 0.1, 0.5, 0.9, 0.999] {
+            let expected = (1.0_f64 / (1.0 - u)).acosh();
+            assert_relative_eq!(landing((u, 0.0)).0, expected, max_relative = if u < 1e-6 { 1e-7 } else { 1e-12 });
+        }
+    }
+
+    /// `s = 2 artanh v`, to the last digits of the smallest flight; `2v` where that is all there is.
+    #[test]
+    fn a_flight_from_the_base_lands_with_the_speed_it_left_with() {
+        for v in [1e-300, 1e-20, 1e-3, 0.3, 0.9] {
+            let (interval, speed) = landing((0.0, v));
+            assert_relative_eq!(interval, 2.0 * f64::atanh(v), max_relative = 4e-16);
+            assert_relative_eq!(speed, v, max_relative = 1e-15);
+        }
+    }
+
+    #[test]
+    fn past_the_balance_nothing_returns() {
+        assert_eq!(fly((1.0, 0.0), 1.0), Arrival::Overturned { after: 0.0 });
+        assert_eq!(fly((0.4, 0.6), 1.0), Arrival::Overturned { after: 0.0 });
+        assert!(matches!(fly((1.5, -0.51), 1e3), Arrival::Impact { .. }));
+        assert!(
+            matches!(fly((0.5, 0.2), 1e-3), Arrival::Aloft { rotation, velocity } if rotation > 0.5 && velocity < 0.2)
+        );
+    }
+}

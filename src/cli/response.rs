@@ -1,0 +1,235 @@
+use std::path::PathBuf;
+
+use anyhow::{anyhow, ensure};
+use chattercheck::{
+    response::{Bout, BoutEnd, Condition, Request, Response, Termination, Window},
+    scene::Scene,
+};
+use clap::{Args, ValueEnum};
+use contract::{Invalid, Model};
+use serde::Serialize;
+
+use super::{
+    Verdict,
+    case_flags::{number, read_scene},
+    output::print,
+};
+
+/// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
+///
+/// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
+/// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking or overturned. At an impact there are two
+/// rows: just before and just after it. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
+///
+/// Followed until the block rests after the motion; a motion without end for 5 cycles.
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The scene, in TOML; see `chattercheck scene`
+    scene: PathBuf,
+    /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
+    #[arg(long, value_enum)]
+    model: Option<ModelName>,
+    /// How chattering is ended: exactly, where its infinite sum accumulates; or by a scheme of the paper's Section 5.2
+    #[arg(long, value_enum, default_value_t = Scheme::Exact)]
+    termination: Scheme,
+    /// For the velocity threshold: VelTol/(p alpha)
+    #[arg(long, value_name = "V", allow_hyphen_values = true, value_parser = number)]
+    velocity_threshold: Option<f64>,
+    /// For the chattering threshold: the fit of the critical amplitude below which it applies [default: eq76]
+    #[arg(long, value_enum)]
+    condition: Option<Fit>,
+    /// Follow the block to this time tau at the most
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    until: Option<f64>,
+    /// Print the response from this time tau on, to see more of a part
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    from: Option<f64>,
+    /// Print it to this time tau
+    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
+    to: Option<f64>,
+    /// Into how many steps the printed part is divided [default: 1000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    steps: Option<usize>,
+    /// Output format: the history as CSV, or what happens as JSON
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Csv,
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ModelName {
+    Linear,
+    Nonlinear,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Scheme {
+    Exact,
+    Velocity,
+    Chattering,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Fit {
+    Eq76,
+    Eq77,
+}
+
+/// Times are `τ` since the start of the motion.
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    model: &'static str,
+    a: f64,
+    omega: f64,
+    eta: f64,
+    /// `p`, 1/s: a time over it is in seconds.
+    frequency_parameter: f64,
+    bouts: Vec<BoutRow>,
+    rests: Vec<RestRow>,
+    end: f64,
+}
+
+#[derive(Serialize)]
+struct BoutRow {
+    from: f64,
+    to: f64,
+    /// How many impacts were resolved; infinitely many follow where the ending is `complete`.
+    impacts: usize,
+    ending: &'static str,
+    /// What is expected to be wrong with `to`, where chattering is complete.
+    uncertainty: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct RestRow {
+    from: f64,
+    to: f64,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let mut scene = read_scene(&arguments.scene)?;
+    if let Some(model) = arguments.model {
+        scene.ask.model = match model {
+            ModelName::Linear => Model::Linear,
+            ModelName::Nonlinear => Model::Nonlinear,
+        };
+    }
+    arguments.check()?;
+    let request = scene.response(arguments.until, arguments.termination()?)?;
+    let oracle = scene.stepper()?;
+    let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
+    let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
+    match arguments.format {
+        Format::Json => print(&(serde_json::to_string_pretty(&document(&scene, model, &request, &response))? + "\n"))?,
+        Format::Csv => {
+            let window = arguments.window(response.end)?;
+            let samples =
+                response.samples(oracle.as_ref(), &request, &window).map_err(|decline| anyhow!("{decline}"))?;
+            let mut csv = csv::Writer::from_writer(std::io::stdout().lock());
+            samples.iter().try_for_each(|sample| csv.serialize(sample))?;
+            csv.flush()?;
+        }
+    }
+    eprintln!("{name}: {}", summary(&response));
+    let lost = response.bouts.iter().any(|bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts));
+    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
+}
+
+impl Arguments {
+    fn termination(&self) -> anyhow::Result<Termination> {
+        ensure!(
+            self.velocity_threshold.is_none() || self.termination == Scheme::Velocity,
+            Invalid::new(
+                "velocity-threshold",
+                self.velocity_threshold.unwrap_or_default(),
+                "only with --termination velocity"
+            )
+        );
+        if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
+            return Err(
+                Invalid::new("condition", format!("{condition:?}"), "only with --termination chattering").into()
+            );
+        }
+        Ok(match self.termination {
+            Scheme::Exact => Termination::Exact,
+            Scheme::Chattering => Termination::ChatteringThreshold(match self.condition.unwrap_or(Fit::Eq76) {
+                Fit::Eq76 => Condition::Eq76,
+                Fit::Eq77 => Condition::Eq77,
+            }),
+            Scheme::Velocity => Termination::VelocityThreshold(self.velocity_threshold.ok_or_else(|| {
+                Invalid::new("velocity-threshold", "none", "a speed above 0 (in p alpha), with --termination velocity")
+            })?),
+        })
+    }
+
+    /// Refuses what the format does not use.
+    fn check(&self) -> Result<(), Invalid> {
+        let given = [
+            ("from", self.from.map(|from| from.to_string())),
+            ("to", self.to.map(|to| to.to_string())),
+            ("steps", self.steps.map(|steps| steps.to_string())),
+        ];
+        let unused = given.into_iter().find_map(|(field, value)| Some((field, value?)));
+        match (self.format, unused) {
+            (Format::Json, Some((field, value))) => Err(Invalid::new(field, value, "only with --format csv")),
+            _ => Ok(()),
+        }
+    }
+
+    fn window(&self, end: f64) -> Result<Window, Invalid> {
+        const MOST_STEPS: usize = 1_000_000;
+        let (from, to) = (self.from.unwrap_or(0.0), self.to.unwrap_or(end));
+        if !(from >= 0.0 && from < end) && end > 0.0 {
+            return Err(Invalid::new("from", format!("{from:?}"), "from 0 to the end of the response"));
+        }
+        if !(to > from && to.is_finite()) && end > 0.0 {
+            return Err(Invalid::new("to", format!("{to:?}"), "a finite time after --from"));
+        }
+        let steps = self.steps.unwrap_or(1000);
+        if !(1..=MOST_STEPS).contains(&steps) {
+            return Err(Invalid::new("steps", steps, "1 to 1000000"));
+        }
+        Ok(Window { from, to: to.min(end), steps })
+    }
+}
+
+fn document<'a>(scene: &'a Scene, model: &'static str, request: &Request, response: &Response) -> Document<'a> {
+    Document {
+        title: &scene.title,
+        model,
+        a: request.case.amplitude(),
+        omega: request.case.omega(),
+        eta: request.case.eta(),
+        frequency_parameter: scene.block.frequency_parameter(),
+        bouts: response.bouts.iter().map(row).collect(),
+        rests: response.rests().into_iter().map(|(from, to)| RestRow { from, to }).collect(),
+        end: response.end,
+    }
+}
+
+fn row(bout: &Bout) -> BoutRow {
+    let uncertainty = match bout.outcome {
+        BoutEnd::Complete { uncertainty } => Some(uncertainty),
+        _ => None,
+    };
+    BoutRow { from: bout.begin(), to: bout.end(), impacts: bout.impacts(), ending: bout.outcome.name(), uncertainty }
+}
+
+fn summary(response: &Response) -> String {
+    let impacts: usize = response.bouts.iter().map(Bout::impacts).sum();
+    match response.bouts.last() {
+        None => "the block never rocks".to_owned(),
+        Some(last) => format!(
+            "{} times of rocking, {impacts} impacts resolved; the last one ends at tau = {}: {}",
+            response.bouts.len(),
+            last.end(),
+            last.outcome.name()
+        ),
+    }
+}
