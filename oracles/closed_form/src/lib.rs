@@ -8,6 +8,7 @@
 //! their derivatives by the parameters.
 #![cfg_attr(test, allow(clippy::indexing_slicing))]
 
+pub mod batch;
 mod dual;
 mod error;
 mod flight;

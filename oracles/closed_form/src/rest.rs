@@ -12,7 +12,7 @@ pub(crate) struct ProofOfRest {
     fastest: f64,
     eta: f64,
     /// `x (1 - x)(1 - η²)/(2 exp(x/(2(1 - x))))`.
-    room: f64,
+    pub room: f64,
 }
 
 /// `x`.

@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
-const SLOWEST: f64 = 1e-280;
+pub(crate) const SLOWEST: f64 = 1e-280;
 
 /// Steps through the impacts of a case that rocks. A `follower` is shown every flight that ends in an impact of the list.
 pub(crate) fn follow(case: &Case, excitation: &Excitation, mut follower: Option<&mut Follower>) -> History {
