@@ -12,14 +12,14 @@ pub(crate) struct ProofOfRest {
     fastest: f64,
     eta: f64,
     /// `x (1 - x)(1 - η²)/(2 exp(x/(2(1 - x))))`.
-    pub room: f64,
+    room: f64,
 }
 
 /// `x`.
-const SHARE: f64 = 0.4;
+pub(crate) const SHARE: f64 = 0.4;
 
 /// `exp(x/(2(1 - x))) = exp(1/3)`, rounded up.
-const GROWTH: f64 = 1.396;
+pub(crate) const GROWTH: f64 = 1.396;
 
 impl ProofOfRest {
     pub fn new(excitation: &Excitation, eta: f64) -> Self {

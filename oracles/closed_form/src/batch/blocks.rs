@@ -1,5 +1,10 @@
 //! One rocking block in each lane, from one impact to the next.
 
+use crate::{
+    rest::{GROWTH, SHARE},
+    sequence::SLOWEST,
+};
+
 use super::{
     lanes::{Lanes, Twofold},
     motion::{FEW, REACH, SOME, Start, Step, TERMS, step},
@@ -8,21 +13,19 @@ use super::{
 /// How many steps are tried before a flight is left to the scalar code.
 const STEPS: usize = 8;
 
-/// Below this speed there is nothing left to resolve; see `sequence`.
-const SLOWEST: f64 = 1e-280;
+/// Below this cosine of half the phase `T/2` is so near that the scalar code has to tell on which side of it an impact is.
+const NEARLY_OVER: f64 = 1e-9;
 
 /// The blocks after an impact, each with its case.
 #[derive(Clone, Copy)]
 pub(super) struct Blocks<L: Lanes> {
-    /// Where there is a case.
-    pub busy: L::Mask,
+    /// 1 where there is a case.
+    pub busy: L,
     pub epsilon: L,
     pub omega: L,
     pub eta: L,
     /// `a cos ψ = sqrt(2ε + ε²)`.
     pub cosine: L,
-    /// `T/2`.
-    pub half_period: L,
     /// `max(1, ω)`.
     pub rate: L,
     /// The `q` of `flow`.
@@ -62,6 +65,22 @@ pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin
     if FIRST_SIDE { [(sin + sin) * (cosine * cos - sin), rate] } else { [-((cos + cos) * (cos + cosine * sin)), -rate] }
 }
 
+/// One step more by `N` terms, where the mask holds.
+#[inline(always)]
+fn further<L: Lanes, const N: usize>(
+    blocks: &Blocks<L>,
+    start: &Start<L>,
+    s: L,
+    mask: L::Mask,
+    (here, found): (Step<L>, L::Mask),
+) -> (Step<L>, L::Mask) {
+    if !L::any(mask) {
+        return (here, found);
+    }
+    let (next, last) = step::<L, N>(blocks, start, s);
+    (next.or(mask, here), found | (last & mask))
+}
+
 impl<L: Lanes> Blocks<L> {
     /// One flight of each block, all to the same side.
     #[inline(always)]
@@ -74,8 +93,9 @@ impl<L: Lanes> Blocks<L> {
             jerk: self.jerk,
             snap: -(squared * (one + self.acceleration)),
         };
-        let (landing, found) = self.land(&start);
-        let first = self.is_first(&start, squared, landing.interval);
+        let busy = zero.below(self.busy);
+        let (landing, found) = self.land(&start, busy);
+        let first = self.is_first(&start, squared, landing.interval, busy);
 
         let before = [self.time, self.speed];
         self.time = self.time.plus(landing.interval);
@@ -90,54 +110,46 @@ impl<L: Lanes> Blocks<L> {
             forcing::<L, true>(self.cosine, self.omega, self.sin.value(), cos)
         };
         (self.acceleration, self.jerk) = (acceleration, jerk);
-        self.complete = one.or(self.rests(speed), self.complete);
+        self.complete = one.or(self.rests(speed), zero).max(self.complete);
         let sure = found
             & first
-            & zero.below(cos)
-            & time.below(self.half_period)
-            & zero.below(landing.interval)
+            & cos.all(NEARLY_OVER).below(cos)
             & speed.all(SLOWEST).below(speed);
         Landed {
             time,
             interval: landing.interval,
             velocity: if FIRST_SIDE { speed } else { -speed },
-            unsure: self.busy & !sure,
+            unsure: busy & !sure,
             before,
         }
     }
 
     /// The impact that the flight comes to, and where one is found.
     #[inline(always)]
-    fn land(&self, start: &Start<L>) -> (Step<L>, L::Mask) {
+    fn land(&self, start: &Start<L>, busy: L::Mask) -> (Step<L>, L::Mask) {
         let nothing = self.omega.all(0.0);
-        let mut here = Step { interval: self.guess(start), gain: nothing, turn: [nothing; 2] };
-        let mut open = self.busy;
-        let mut found = open & !open;
-        let mut steps = 0;
-        while steps < STEPS && L::any(open) {
+        let s = self.guess(start, busy);
+        let x = self.rate * s;
+        let inside = nothing.below(s) & x.below(x.all(FEW.1));
+        // Most flights are short, and need one step.
+        let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, inside & !inside);
+        let mut open = busy;
+        if !L::any(busy & !inside) {
+            let (next, last) = step::<L, { FEW.0 }>(self, start, s);
+            (here, found) = (next, last & inside);
+            open = busy & !found;
+        }
+        let mut steps = 1;
+        while L::any(open) && steps < STEPS {
             steps += 1;
             let s = here.interval;
             let x = self.rate * s;
-            // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
             open = open & nothing.below(s) & x.below(x.all(REACH));
+            // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
             let (few, some) = (x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
-            let mut last = found;
-            let mask = open & few;
-            if L::any(mask) {
-                let (next, done) = step::<L, { FEW.0 }>(self, start, s);
-                (here, last) = (next.or(mask, here), last | (mask & done));
-            }
-            let mask = open & some & !few;
-            if L::any(mask) {
-                let (next, done) = step::<L, { SOME.0 }>(self, start, s);
-                (here, last) = (next.or(mask, here), last | (mask & done));
-            }
-            let mask = open & !some;
-            if L::any(mask) {
-                let (next, done) = step::<L, TERMS>(self, start, s);
-                (here, last) = (next.or(mask, here), last | (mask & done));
-            }
-            found = last;
+            (here, found) = further::<L, { FEW.0 }>(self, start, s, open & few, (here, found));
+            (here, found) = further::<L, { SOME.0 }>(self, start, s, open & some & !few, (here, found));
+            (here, found) = further::<L, TERMS>(self, start, s, open & !some, (here, found));
             open = open & !found;
         }
         (here, found)
@@ -145,7 +157,7 @@ impl<L: Lanes> Blocks<L> {
 
     /// Where the flight may end; see `flight`.
     #[inline(always)]
-    fn guess(&self, start: &Start<L>) -> L {
+    fn guess(&self, start: &Start<L>, busy: L::Mask) -> L {
         let Start { speed, acceleration, jerk, snap } = *start;
         let one = speed.all(1.0);
         let inverse = one / acceleration;
@@ -158,7 +170,7 @@ impl<L: Lanes> Blocks<L> {
             + d * (e.by(5.0).plus(1.0) + (d.by(3.0) + e_squared.by(21.0)));
         let falls = self.speed.high.all(0.0).below(parabola);
         let small = e.abs().below(e.all(0.12));
-        let far = self.busy & falls & !small;
+        let far = busy & falls & !small;
         let mut stretch = near;
         if L::any(far) {
             // 1 - t + e t² + d t³ = 0 by Newton's method
@@ -177,7 +189,7 @@ impl<L: Lanes> Blocks<L> {
 
     /// Where it is proven that no impact comes before the one found, in one of the two ways of `flight`.
     #[inline(always)]
-    fn is_first(&self, start: &Start<L>, squared: L, s: L) -> L::Mask {
+    fn is_first(&self, start: &Start<L>, squared: L, s: L, busy: L::Mask) -> L::Mask {
         let Start { speed, acceleration, jerk, snap } = *start;
         let zero = s.all(0.0);
         let most = self.omega + self.omega * self.epsilon;
@@ -185,7 +197,7 @@ impl<L: Lanes> Blocks<L> {
         let rise = (jerk.max(zero) + drift).min(most);
         let concave = (acceleration + s * (speed + rise)).below(zero);
         let mut proven = concave;
-        if L::any(self.busy & !concave) {
+        if L::any(busy & !concave) {
             let fall = ((-jerk).max(zero) + drift).min(most);
             // Bounds on sinh s and on cosh s - 1, for s <= 2.
             let z = s * s;
@@ -212,5 +224,93 @@ impl<L: Lanes> Blocks<L> {
         let flights = speed * (other + self.eta * this) * (fastest + (speed + speed));
         let fit = !(self.room * this.min(other) * this * other).below(flights);
         zero.below(this) & zero.below(other) & fit
+    }
+
+    /// Puts a case at its initiation into a lane.
+    pub fn start(&mut self, lane: usize, epsilon: f64, omega: f64, eta: f64) {
+        let cosine = (epsilon * (2.0 + epsilon)).sqrt();
+        let Self { time, speed, sin, cos, .. } = self;
+        for (place, value) in [
+            (&mut self.busy, 1.0),
+            (&mut self.epsilon, epsilon),
+            (&mut self.omega, omega),
+            (&mut self.eta, eta),
+            (&mut time.high, 0.0),
+            (&mut time.low, 0.0),
+            (&mut speed.high, 0.0),
+            (&mut speed.low, 0.0),
+            (&mut sin.high, 0.0),
+            (&mut sin.low, 0.0),
+            (&mut cos.high, 1.0),
+            (&mut cos.low, 0.0),
+            (&mut self.acceleration, 0.0),
+            (&mut self.jerk, omega * cosine),
+            (&mut self.complete, 0.0),
+        ] {
+            place.set_lane(lane, value);
+        }
+    }
+
+    /// What depends on the cases only. Done for all lanes when any has a new case, with the same answer for the others.
+    #[inline(always)]
+    pub fn prepare(&mut self) {
+        let (epsilon, omega, eta) = (self.epsilon, self.omega, self.eta);
+        let one = omega.all(1.0);
+        self.cosine = (epsilon * epsilon.plus(2.0)).sqrt();
+        self.rate = omega.max(one);
+        let squared = omega * omega;
+        let mut q = one;
+        for series in &mut self.series {
+            *series = q;
+            q = one - squared * q;
+        }
+        let room = SHARE * (1.0 - SHARE) / (2.0 * GROWTH);
+        self.room = (one - eta * eta).by(room);
+        self.first = self.first_interval();
+    }
+
+    /// Where the first flight ends: Eq. 31 has `s = 4 sqrt(2ε + ε²)/ω`, and in units of that, `σ`, the next terms of the series are
+    /// `0 = 1 - σ + A (σ²/20 - σ³/30) + B (σ⁴/840 - σ⁵/1680) + ...`
+    #[inline(always)]
+    fn first_interval(&self) -> L {
+        let one = self.omega.all(1.0);
+        let unit = self.cosine.by(4.0) / self.omega;
+        let square = unit * unit;
+        let [_, q, next, ..] = self.series;
+        let (a, b) = (q * square, next * square * square);
+        let mut sigma = one;
+        let mut times = 0;
+        while times < 3 {
+            times += 1;
+            let power = sigma * sigma;
+            let by_a = one.by(1.0 / 20.0) - sigma.by(1.0 / 30.0);
+            let by_b = one.by(1.0 / 840.0) - sigma.by(1.0 / 1680.0);
+            sigma = one + power * (a * by_a + power * b * by_b);
+        }
+        unit * sigma
+    }
+
+    /// Lanes without cases.
+    #[inline(always)]
+    pub fn idle(zero: L) -> Self {
+        let nothing = Twofold { high: zero, low: zero };
+        Self {
+            busy: zero,
+            epsilon: zero,
+            omega: zero,
+            eta: zero,
+            cosine: zero,
+            rate: zero,
+            series: [zero; TERMS],
+            room: zero,
+            first: zero,
+            time: nothing,
+            speed: nothing,
+            sin: nothing,
+            cos: nothing,
+            acceleration: zero,
+            jerk: zero,
+            complete: zero,
+        }
     }
 }

@@ -22,6 +22,9 @@ pub(super) trait Lanes:
     /// `self · factor - product`, rounded once.
     fn residue(self, factor: Self, product: Self) -> Self;
 
+    /// The square root.
+    fn sqrt(self) -> Self;
+
     /// The absolute value.
     fn abs(self) -> Self;
 
@@ -76,6 +79,11 @@ impl Lanes for f64 {
     #[inline(always)]
     fn residue(self, factor: Self, product: Self) -> Self {
         by_splitting(self, factor, product)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
     }
 
     #[inline(always)]
@@ -148,6 +156,12 @@ impl<L: Lanes> Twofold<L> {
     pub fn times(self, factor: L) -> Self {
         let high = self.high * factor;
         Self { high, low: self.high.residue(factor, high) + self.low * factor }
+    }
+
+    /// This where the mask holds, and the other elsewhere.
+    #[inline(always)]
+    pub fn or(self, mask: L::Mask, other: Self) -> Self {
+        Self { high: self.high.or(mask, other.high), low: self.low.or(mask, other.low) }
     }
 
     /// The nearest number.
@@ -230,6 +244,11 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     #[inline(always)]
     fn residue(self, factor: Self, product: Self) -> Self {
         each!(self, index, self.0[index].residue(factor.0[index], product.0[index]))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        each!(self, index, self.0[index].sqrt())
     }
 
     #[inline(always)]

@@ -5,7 +5,7 @@ use contract::{Ending, Limit};
 use super::{
     Rows, Sequence, Tally, Work,
     blocks::{Blocks, Landed},
-    lanes::{Lanes, Twofold},
+    lanes::Lanes,
     single::{Finished, Single},
 };
 
@@ -23,6 +23,9 @@ struct Place {
     written: usize,
 }
 
+/// Impacts that are not written yet, of one quantity: all lanes of one impact, then all of the next.
+type Held = [f64; MOST_LANES * HELD];
+
 /// Lanes with the cases that are in them.
 struct Pool<'a, 'r, L: Lanes> {
     work: &'a Work<'a>,
@@ -30,12 +33,13 @@ struct Pool<'a, 'r, L: Lanes> {
     blocks: Blocks<L>,
     /// What is in each lane, if anything.
     places: [Option<Place>; MOST_LANES],
+    /// How many lanes are free.
+    free: usize,
     /// The case to be taken next.
     next: usize,
-    /// Impacts that are not written yet: time, interval and velocity of all lanes, for each impact.
-    held: [[[f64; MOST_LANES]; 3]; HELD],
+    held: [Held; 3],
     count: usize,
-    /// How many more impacts the lane has room for that has least.
+    /// How many impacts may be held until a lane is full.
     room: usize,
     tally: Tally,
 }
@@ -48,8 +52,9 @@ pub(super) fn run<L: Lanes>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
         rows,
         blocks: Blocks::idle(zero),
         places: [None; MOST_LANES],
+        free: L::COUNT,
         next: 0,
-        held: [[[0.0; MOST_LANES]; 3]; HELD],
+        held: [[0.0; MOST_LANES * HELD]; 3],
         count: 0,
         room: 0,
         tally: Tally::default(),
@@ -63,36 +68,41 @@ pub(super) fn run<L: Lanes>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
 }
 
 impl<L: Lanes> Pool<'_, '_, L> {
-    /// Puts cases into the lanes that are free; whether any lane is busy then.
+    /// Puts cases into the lanes that are free, if half of them are; whether any lane is busy then.
+    ///
+    /// To wait for half of them keeps the lanes in step: the first flights are long, and ask for more terms of the series than the later ones.
     #[inline(always)]
     fn refill(&mut self) -> bool {
-        if self.places.iter().take(L::COUNT).all(Option::is_some) {
-            return true;
+        if 2 * self.free >= L::COUNT && self.next < self.work.epsilon.len() {
+            self.write();
+            self.take_cases();
+            self.blocks.prepare();
         }
-        self.write();
-        self.take_cases()
+        self.free < L::COUNT
     }
 
+    /// Puts cases into the free lanes.
     #[inline(never)]
-    fn take_cases(&mut self) -> bool {
-        let mut busy = self.blocks.omega.all(0.0);
+    fn take_cases(&mut self) {
+        let Work { epsilon, omega, eta, impacts } = *self.work;
+        let mut cases = epsilon.iter().zip(omega).zip(eta).enumerate().skip(self.next);
+        let blocks = &mut self.blocks;
         for (lane, place) in self.places.iter_mut().enumerate().take(L::COUNT) {
-            while place.is_none() && self.next < self.work.epsilon.len() {
-                let case = self.next;
-                self.next += 1;
-                match Single::new(self.work, case) {
-                    Some(single) => {
-                        single.put_into(&mut self.blocks, lane);
-                        *place = Some(Place { case, written: 0 });
-                    }
-                    None => self.rows.end(case, self.work.impacts, Sequence { impacts: 0, ending: Ending::NeverRocks }),
-                }
+            if place.is_some() {
+                continue;
             }
-            busy.set_lane(lane, if place.is_some() { 1.0 } else { 0.0 });
+            for (case, ((epsilon, omega), eta)) in cases.by_ref() {
+                self.next = case + 1;
+                if *epsilon > 0.0 {
+                    blocks.start(lane, *epsilon, *omega, *eta);
+                    *place = Some(Place { case, written: 0 });
+                    self.free -= 1;
+                    break;
+                }
+                self.rows.end(case, impacts, Sequence { impacts: 0, ending: Ending::NeverRocks });
+            }
         }
-        self.blocks.busy = busy.all(0.5).below(busy);
         self.measure();
-        L::any(self.blocks.busy)
     }
 
     /// One flight of every lane.
@@ -100,23 +110,26 @@ impl<L: Lanes> Pool<'_, '_, L> {
     fn fly<const FIRST_SIDE: bool>(&mut self) {
         let landed = self.blocks.fly::<FIRST_SIDE>();
         if L::any(landed.unsure) {
-            self.write();
-            self.alone(&landed, if FIRST_SIDE { -1.0 } else { 1.0 });
+            let unsure = landed.time.all(1.0).or(landed.unsure, landed.time.all(0.0));
+            self.alone(&landed, &unsure, if FIRST_SIDE { -1.0 } else { 1.0 });
         } else {
             self.hold(&landed.time, &landed.interval, &landed.velocity);
         }
-        if self.count == self.room || self.count == HELD {
+        if self.count == self.room {
             self.write();
             self.finish();
+        } else if self.count == HELD {
+            self.write();
         }
     }
 
     #[inline(always)]
     fn hold(&mut self, time: &L, interval: &L, velocity: &L) {
-        if let Some([times, intervals, velocities]) = self.held.get_mut(self.count) {
-            time.copy_to(times);
-            interval.copy_to(intervals);
-            velocity.copy_to(velocities);
+        let start = self.count * L::COUNT;
+        for (held, quantity) in self.held.iter_mut().zip([time, interval, velocity]) {
+            if let Some(place) = held.get_mut(start..start + L::COUNT) {
+                quantity.copy_to(place);
+            }
         }
         self.count += 1;
     }
@@ -124,18 +137,19 @@ impl<L: Lanes> Pool<'_, '_, L> {
     /// Writes the impacts that are held.
     #[inline(never)]
     fn write(&mut self) {
+        let count = self.count;
         for (lane, place) in self.places.iter_mut().enumerate().take(L::COUNT) {
             let Some(place) = place else { continue };
             let start = place.case * self.work.impacts + place.written;
-            for (row, quantity) in self.rows.quantities().into_iter().zip(0..) {
-                let Some(row) = row.get_mut(start..start + self.count) else { continue };
-                for (slot, held) in row.iter_mut().zip(&self.held) {
-                    *slot = held.get(quantity).and_then(|of| of.get(lane)).copied().unwrap_or(f64::NAN);
+            for (row, held) in self.rows.quantities().into_iter().zip(&self.held) {
+                let (Some(row), Some(held)) = (row.get_mut(start..start + count), held.get(lane..)) else { continue };
+                for (slot, of_all_lanes) in row.iter_mut().zip(held.chunks(L::COUNT)) {
+                    *slot = of_all_lanes.first().copied().unwrap_or(f64::NAN);
                 }
             }
-            place.written += self.count;
+            place.written += count;
         }
-        self.room = self.room.saturating_sub(self.count);
+        self.room = self.room.saturating_sub(count);
         self.count = 0;
     }
 
@@ -143,14 +157,10 @@ impl<L: Lanes> Pool<'_, '_, L> {
     #[inline(never)]
     fn finish(&mut self) {
         for lane in 0..L::COUNT {
-            let Some(Some(place)) = self.places.get(lane).copied() else { continue };
+            let Some(Some(place)) = self.places.get(lane) else { continue };
             if place.written == self.work.impacts {
-                let ending = if self.blocks.complete.lane(lane) == 1.0 {
-                    Ending::AtRest
-                } else {
-                    Ending::LimitReached(Limit::Impacts)
-                };
-                self.end(lane, ending);
+                let complete = self.blocks.complete.lane(lane) == 1.0;
+                self.end(lane, if complete { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) });
             }
         }
         self.measure();
@@ -163,55 +173,48 @@ impl<L: Lanes> Pool<'_, '_, L> {
     }
 
     fn end(&mut self, lane: usize, ending: Ending) {
-        if let Some(place) = self.places.get_mut(lane) {
-            if let Some(Place { case, written }) = place.take() {
-                self.rows.end(case, self.work.impacts, Sequence { impacts: written, ending });
-                self.tally.impacts += written as u64;
-            }
-            let mut free = self.blocks.omega.all(0.0);
-            free.set_lane(lane, 1.0);
-            self.blocks.busy = self.blocks.busy & free.below(free.all(0.5));
+        self.blocks.busy.set_lane(lane, 0.0);
+        if let Some(Place { case, written }) = self.places.get_mut(lane).and_then(Option::take) {
+            self.free += 1;
+            self.rows.end(case, self.work.impacts, Sequence { impacts: written, ending });
+            self.tally.impacts += written as u64;
         }
     }
 
     /// The flights that the lanes are not sure of, by the scalar code; the others as they are.
     #[cold]
     #[inline(never)]
-    fn alone(&mut self, landed: &Landed<L>, sign: f64) {
-        let Landed { mut time, mut interval, mut velocity, unsure, before } = *landed;
-        let mut ended: [Option<(Ending, bool)>; MOST_LANES] = [None; MOST_LANES];
-        let one = time.all(1.0);
-        let unsure = one.or(unsure, time.all(0.0));
-        for (lane, ending) in ended.iter_mut().enumerate().take(L::COUNT) {
-            let (Some(Some(place)), true) = (self.places.get(lane), unsure.lane(lane) == 1.0) else { continue };
+    fn alone(&mut self, landed: &Landed<L>, unsure: &L, sign: f64) {
+        self.write();
+        let Landed { mut time, mut interval, mut velocity, before, .. } = *landed;
+        let mut last = [None; MOST_LANES];
+        for (lane, last) in last.iter_mut().enumerate().take(L::COUNT) {
+            if unsure.lane(lane) != 1.0 {
+                continue;
+            }
             self.tally.alone += 1;
-            let Some(mut single) = Single::new(self.work, place.case) else { continue };
-            let [start, speed] = before;
-            let lane_of = |of: Twofold<L>| crate::twofold::Twofold { high: of.high.lane(lane), low: of.low.lane(lane) };
-            single.resume(lane_of(start), lane_of(speed), sign, self.blocks.complete.lane(lane) == 1.0);
-            let finished = single.fly();
-            let listed = !matches!(finished, Some(Finished { listed: false, .. }));
-            if listed {
-                let [now, stretch, departure] = single.impact();
-                time.set_lane(lane, now);
-                interval.set_lane(lane, stretch);
-                velocity.set_lane(lane, departure);
-                single.put_into(&mut self.blocks, lane);
-            }
-            *ending = finished.map(|finished| (finished.ending, listed));
-        }
-        // What has ended without this impact is gone before it is written.
-        for listed in [false, true] {
-            for (lane, ending) in ended.iter().enumerate() {
-                if let Some((ending, is_listed)) = ending
-                    && *is_listed == listed
-                {
-                    self.end(lane, *ending);
+            let mut single = Single::new(&self.blocks, before, sign, lane);
+            match single.fly() {
+                // What has ended without this impact is gone before it is written.
+                Some(Finished { ending, listed: false }) => {
+                    self.end(lane, ending);
+                    continue;
                 }
+                Some(Finished { ending, .. }) => *last = Some(ending),
+                None => {}
             }
-            if !listed {
-                self.hold(&time, &interval, &velocity);
-                self.write();
+            for (quantity, value) in [&mut time, &mut interval, &mut velocity].into_iter().zip(single.impact()) {
+                quantity.set_lane(lane, value);
+            }
+            single.put_into(&mut self.blocks, lane);
+        }
+        self.hold(&time, &interval, &velocity);
+        if last.iter().any(Option::is_some) {
+            self.write();
+        }
+        for (lane, ending) in last.into_iter().enumerate() {
+            if let Some(ending) = ending {
+                self.end(lane, ending);
             }
         }
         self.measure();

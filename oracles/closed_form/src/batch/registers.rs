@@ -94,6 +94,11 @@ impl Lanes for Two {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs())
     }
@@ -159,6 +164,11 @@ impl<S: Simd> Lanes for Found<S> {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self { of: self.simd.sqrt_f64s(self.of), ..self }
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self { of: self.simd.abs_f64s(self.of), ..self }
     }
@@ -206,8 +216,8 @@ impl<S: Simd> Lanes for Found<S> {
 
     #[inline(always)]
     fn copy_to(&self, slice: &mut [f64]) {
-        for (to, from) in slice.iter_mut().zip(bytemuck::cast_slice(core::slice::from_ref(&self.of))) {
-            *to = *from;
+        if let Some(to) = S::as_mut_simd_f64s(slice).0.first_mut() {
+            *to = self.of;
         }
     }
 }

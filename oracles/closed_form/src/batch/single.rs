@@ -1,4 +1,4 @@
-//! One case outside of the lanes: how it starts, and the flights that the lanes leave to the scalar code, which knows what to do with every flight.
+//! The flights that the lanes leave to the scalar code, which knows what to do with every flight.
 
 use contract::{Ending, Loss};
 
@@ -10,13 +10,15 @@ use crate::{
     twofold::{Split, Twofold},
 };
 
-use super::{Work, blocks::Blocks, lanes::Lanes, motion::TERMS};
+use super::{
+    blocks::Blocks,
+    lanes::{self, Lanes},
+};
 
 /// A case after an impact, or at its start.
 pub(super) struct Single {
     excitation: Excitation,
     proof: ProofOfRest,
-    epsilon: f64,
     omega: f64,
     eta: f64,
     time: Twofold,
@@ -35,38 +37,16 @@ pub(super) struct Finished {
 }
 
 impl Single {
-    /// A case at initiation, if it rocks.
-    pub fn new(work: &Work, case: usize) -> Option<Self> {
-        let (epsilon, omega, eta) = (*work.epsilon.get(case)?, *work.omega.get(case)?, *work.eta.get(case)?);
-        if epsilon <= 0.0 {
-            return None;
-        }
+    /// A case at the start of a flight.
+    pub fn new<L: Lanes>(blocks: &Blocks<L>, [time, speed]: [lanes::Twofold<L>; 2], sign: f64, lane: usize) -> Self {
+        let [epsilon, omega, eta] = [blocks.epsilon, blocks.omega, blocks.eta].map(|of| of.lane(lane));
+        let [time, speed] = [time, speed].map(|of| Twofold { high: of.high.lane(lane), low: of.low.lane(lane) });
         let excitation = Excitation::new(epsilon, omega);
-        let (sign, half) = (-1.0, HalfPhase { sin: 0.0, cos: 1.0 });
+        let half = if time == Twofold::ZERO { HalfPhase { sin: 0.0, cos: 1.0 } } else { excitation.half_phase(time) };
         let forcing = excitation.forcing(sign, half);
         let proof = ProofOfRest::new(&excitation, eta);
-        let (time, speed) = (Twofold::ZERO, Twofold::ZERO);
-        Some(Self {
-            excitation,
-            proof,
-            epsilon,
-            omega,
-            eta,
-            time,
-            speed,
-            sign,
-            half,
-            forcing,
-            interval: 0.0,
-            complete: false,
-        })
-    }
-
-    /// The same case at the start of a later flight.
-    pub fn resume(&mut self, time: Twofold, speed: Twofold, sign: f64, complete: bool) {
-        (self.time, self.speed, self.sign, self.complete) = (time, speed, sign, complete);
-        self.half = if time == Twofold::ZERO { self.half } else { self.excitation.half_phase(time) };
-        self.forcing = self.excitation.forcing(sign, self.half);
+        let complete = blocks.complete.lane(lane) == 1.0;
+        Self { excitation, proof, omega, eta, time, speed, sign, half, forcing, interval: 0.0, complete }
     }
 
     /// One flight; and how the sequence ends, if it does. The same as in `sequence`, without the claims.
@@ -113,25 +93,10 @@ impl Single {
         [self.time.value(), self.interval, self.sign * self.speed.value()]
     }
 
-    /// Puts the case into a lane.
+    /// Puts what the flight has changed back into the lane of the case.
     pub fn put_into<L: Lanes>(&self, blocks: &mut Blocks<L>, lane: usize) {
-        let (omega, cosine) = (self.omega, self.excitation.cosine);
-        let squared = omega * omega;
-        let mut q = 1.0;
-        for series in &mut blocks.series {
-            series.set_lane(lane, q);
-            q = 1.0 - squared * q;
-        }
         let Blocks { time, speed, sin, cos, .. } = blocks;
         for (place, value) in [
-            (&mut blocks.epsilon, self.epsilon),
-            (&mut blocks.omega, omega),
-            (&mut blocks.eta, self.eta),
-            (&mut blocks.cosine, cosine),
-            (&mut blocks.half_period, core::f64::consts::PI / omega),
-            (&mut blocks.rate, omega.max(1.0)),
-            (&mut blocks.room, self.proof.room),
-            (&mut blocks.first, first_interval(cosine, omega)),
             (&mut time.high, self.time.high),
             (&mut time.low, self.time.low),
             (&mut speed.high, self.speed.high),
@@ -145,49 +110,6 @@ impl Single {
             (&mut blocks.complete, if self.complete { 1.0 } else { 0.0 }),
         ] {
             place.set_lane(lane, value);
-        }
-    }
-}
-
-/// Where the first flight ends: Eq. 31 has `s = 4 sqrt(2ε + ε²)/ω`, and in units of that, `σ`, the next terms of the series are
-/// `0 = 1 - σ + A (σ²/20 - σ³/30) + B (σ⁴/840 - σ⁵/1680) + ...`
-fn first_interval(cosine: f64, omega: f64) -> f64 {
-    let unit = 4.0 * cosine / omega;
-    let square = unit * unit;
-    let q = 1.0 - omega * omega;
-    let (a, b) = (q * square, (1.0 - omega * omega * q) * square * square);
-    let mut sigma = 1.0 + a * (1.0 / 60.0) + b * (1.0 / 1680.0);
-    for _ in 0..2 {
-        let power = sigma * sigma;
-        sigma = 1.0
-            + power * (a * (1.0 / 20.0 - sigma * (1.0 / 30.0)) + power * b * (1.0 / 840.0 - sigma * (1.0 / 1680.0)));
-    }
-    unit * sigma
-}
-
-impl<L: Lanes> Blocks<L> {
-    /// Lanes without cases.
-    #[inline(always)]
-    pub fn idle(zero: L) -> Self {
-        let nothing = super::lanes::Twofold { high: zero, low: zero };
-        Self {
-            busy: zero.below(zero),
-            epsilon: zero,
-            omega: zero,
-            eta: zero,
-            cosine: zero,
-            half_period: zero,
-            rate: zero,
-            series: [zero; TERMS],
-            room: zero,
-            first: zero,
-            time: nothing,
-            speed: nothing,
-            sin: nothing,
-            cos: nothing,
-            acceleration: zero,
-            jerk: zero,
-            complete: zero,
         }
     }
 }
