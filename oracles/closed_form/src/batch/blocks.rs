@@ -110,7 +110,9 @@ impl<L: Lanes> Blocks<L> {
             forcing::<L, true>(self.cosine, self.omega, self.sin.value(), cos)
         };
         (self.acceleration, self.jerk) = (acceleration, jerk);
-        self.complete = one.or(self.rests(speed), zero).max(self.complete);
+        if L::any(busy & self.complete.below(one)) {
+            self.complete = one.or(self.rests(speed), self.complete);
+        }
         let sure = found
             & first
             & cos.all(NEARLY_OVER).below(cos)

@@ -158,12 +158,6 @@ impl<L: Lanes> Twofold<L> {
         Self { high, low: self.high.residue(factor, high) + self.low * factor }
     }
 
-    /// This where the mask holds, and the other elsewhere.
-    #[inline(always)]
-    pub fn or(self, mask: L::Mask, other: Self) -> Self {
-        Self { high: self.high.or(mask, other.high), low: self.low.or(mask, other.low) }
-    }
-
     /// The nearest number.
     #[inline(always)]
     pub fn value(self) -> L {

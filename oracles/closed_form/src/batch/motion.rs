@@ -88,7 +88,9 @@ fn coefficients<L: Lanes>(blocks: &Blocks<L>, start: &Start<L>, m: usize) -> [L;
     let (Some(q), Some([odd, even])) = (blocks.series.get(m), SERIES.get(m)) else {
         return [start.speed; 2];
     };
-    [(start.speed + *q * start.jerk).by(*odd), (start.acceleration + *q * start.snap).by(*even)]
+    // q = 1 for m = 0
+    let [jerk, snap] = if m == 0 { [start.jerk, start.snap] } else { [*q * start.jerk, *q * start.snap] };
+    [(start.speed + jerk).by(*odd), (start.acceleration + snap).by(*even)]
 }
 
 /// One step of Newton's method, with Halley's correction, from `s` towards the impact, by `N` terms of each series; and where it is the last.

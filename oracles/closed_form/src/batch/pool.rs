@@ -13,7 +13,7 @@ use super::{
 const HELD: usize = 16;
 
 /// The most lanes that there are.
-const MOST_LANES: usize = 32;
+const MOST_LANES: usize = 16;
 
 /// A case in its lane.
 #[derive(Clone, Copy)]
@@ -23,8 +23,8 @@ struct Place {
     written: usize,
 }
 
-/// Impacts that are not written yet, of one quantity: all lanes of one impact, then all of the next.
-type Held = [f64; MOST_LANES * HELD];
+/// One quantity of the impacts that are not written yet, in all lanes.
+type Held = [[f64; MOST_LANES]; HELD];
 
 /// Lanes with the cases that are in them.
 struct Pool<'a, 'r, L: Lanes> {
@@ -54,7 +54,7 @@ pub(super) fn run<L: Lanes>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
         places: [None; MOST_LANES],
         free: L::COUNT,
         next: 0,
-        held: [[0.0; MOST_LANES * HELD]; 3],
+        held: [[[0.0; MOST_LANES]; HELD]; 3],
         count: 0,
         room: 0,
         tally: Tally::default(),
@@ -125,9 +125,8 @@ impl<L: Lanes> Pool<'_, '_, L> {
 
     #[inline(always)]
     fn hold(&mut self, time: &L, interval: &L, velocity: &L) {
-        let start = self.count * L::COUNT;
         for (held, quantity) in self.held.iter_mut().zip([time, interval, velocity]) {
-            if let Some(place) = held.get_mut(start..start + L::COUNT) {
+            if let Some(place) = held.get_mut(self.count) {
                 quantity.copy_to(place);
             }
         }
@@ -142,9 +141,9 @@ impl<L: Lanes> Pool<'_, '_, L> {
             let Some(place) = place else { continue };
             let start = place.case * self.work.impacts + place.written;
             for (row, held) in self.rows.quantities().into_iter().zip(&self.held) {
-                let (Some(row), Some(held)) = (row.get_mut(start..start + count), held.get(lane..)) else { continue };
-                for (slot, of_all_lanes) in row.iter_mut().zip(held.chunks(L::COUNT)) {
-                    *slot = of_all_lanes.first().copied().unwrap_or(f64::NAN);
+                let Some(row) = row.get_mut(start..start + count) else { continue };
+                for (slot, lanes) in row.iter_mut().zip(held) {
+                    *slot = lanes.get(lane).copied().unwrap_or(f64::NAN);
                 }
             }
             place.written += count;
