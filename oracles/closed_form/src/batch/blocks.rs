@@ -168,7 +168,10 @@ impl<L: Lanes> Blocks<L> {
         let e = ((speed + jerk) * speed).by(2.0 / 3.0) * inverse_squared;
         let d = ((acceleration + snap) * (speed * speed)).by(-1.0 / 3.0) * (inverse_squared * inverse);
         let e_squared = e * e;
-        let near = (e.plus(1.0) + e_squared * (e.by(5.0).plus(2.0) + e_squared.by(14.0)))
+        // and one term more than there: that of t⁴, (v + q j) parabola⁴/(120 v), nearly
+        let [_, q, ..] = self.series;
+        let fourth = (q * (parabola * parabola)).by(1.0 / 20.0);
+        let near = (e * fourth + e.plus(1.0)) + e_squared * (e.by(5.0).plus(2.0) + e_squared * e.by(42.0).plus(14.0))
             + d * (e.by(5.0).plus(1.0) + (d.by(3.0) + e_squared.by(21.0)));
         let falls = self.speed.high.all(0.0).below(parabola);
         let small = e.abs().below(e.all(0.12));

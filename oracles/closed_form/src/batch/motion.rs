@@ -19,7 +19,7 @@ pub(super) const TERMS: usize = 11;
 pub(super) const REACH: f64 = 2.0;
 
 /// The same for few and for some terms.
-pub(super) const FEW: (usize, f64) = (4, 0.054);
+pub(super) const FEW: (usize, f64) = (5, 0.157);
 pub(super) const SOME: (usize, f64) = (6, 0.32);
 
 /// `1/(2m+1)!` and `1/(2m+2)!`, of `z^(m-1)`, from `m = 1`.
