@@ -48,7 +48,8 @@ fn methods() -> Vec<Candidate> {
         by_depth("closed-form", |n| setting(ClosedForm, n, format!("{n} impacts"))),
         by_depth("taylor", |n| setting(Taylor, n, format!("{n} impacts"))),
     ];
-    for (name, method) in [("ode/tsit45", Method::Tsit45), ("ode/bdf", Method::Bdf), ("ode/esdirk34", Method::Esdirk34)] {
+    for (name, method) in [("ode/tsit45", Method::Tsit45), ("ode/bdf", Method::Bdf), ("ode/esdirk34", Method::Esdirk34)]
+    {
         let mut settings = Vec::new();
         for rtol in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
             let ode = Ode::new(Equation::Linear, method).with_rtol(rtol).expect("in range");
@@ -84,7 +85,13 @@ fn tried(setting: &Setting, proven: &Proven, tolerance: f64) -> Option<(Case, Du
     Some((case, shortest))
 }
 
-fn time_the_cheapest(group: &mut BenchmarkGroup<WallTime>, method: &Candidate, proven: &Proven, tolerance: f64, at: &str) {
+fn time_the_cheapest(
+    group: &mut BenchmarkGroup<WallTime>,
+    method: &Candidate,
+    proven: &Proven,
+    tolerance: f64,
+    at: &str,
+) {
     let good = method.settings.iter().filter_map(|setting| Some((setting, tried(setting, proven, tolerance)?)));
     let Some((setting, (case, _))) = good.min_by_key(|(_, (_, took))| *took) else {
         eprintln!("chattering time/{}/{at}: no setting meets {tolerance:e}", method.name);
@@ -96,7 +103,8 @@ fn time_the_cheapest(group: &mut BenchmarkGroup<WallTime>, method: &Candidate, p
 
 fn to_a_tolerance(criterion: &mut Criterion) {
     let cases = proven();
-    let middle = cases.iter().min_by(|a, b| (a.distance - 0.6).abs().total_cmp(&(b.distance - 0.6).abs())).expect("cases");
+    let middle =
+        cases.iter().min_by(|a, b| (a.distance - 0.6).abs().total_cmp(&(b.distance - 0.6).abs())).expect("cases");
     let mut group = criterion.benchmark_group("chattering time");
     group.sample_size(10).measurement_time(Duration::from_millis(300)).warm_up_time(Duration::from_millis(100));
     for method in &methods() {

@@ -53,7 +53,9 @@ fn throughput(criterion: &mut Criterion) {
         Batched::verify(set, 1e-12);
         let tally = batched.run(set);
         group.throughput(Throughput::Elements(tally.impacts));
-        on_one_thread(|| group.bench_function(format!("batch/{set:?}"), |bencher| bencher.iter(|| batched.run(set))).is_ok());
+        on_one_thread(|| {
+            group.bench_function(format!("batch/{set:?}"), |bencher| bencher.iter(|| batched.run(set))).is_ok()
+        });
     }
     group.finish();
 }

@@ -62,7 +62,11 @@ fn difference(answer: &Answer, cases: &[Parameters]) -> Result<f64, String> {
         let history = oracle(*case, impacts);
         let Sequence { impacts: count, ending } = answer.sequences[index];
         if (count, ending) != (history.impacts.len(), history.ending) {
-            return Err(format!("{case:?}: {count} impacts, {ending}; {} and {}", history.impacts.len(), history.ending));
+            return Err(format!(
+                "{case:?}: {count} impacts, {ending}; {} and {}",
+                history.impacts.len(),
+                history.ending
+            ));
         }
         for (n, impact) in history.impacts.iter().enumerate() {
             let at = index * impacts + n;
@@ -225,7 +229,9 @@ fn every_way_to_end_is_told() {
 
 #[test]
 fn what_does_not_fit_is_refused_by_name() {
-    let refused = |epsilon: &[f64], omega: &[f64], eta: &[f64], impacts| Batch::new(epsilon, omega, eta, impacts).unwrap_err().to_string();
+    let refused = |epsilon: &[f64], omega: &[f64], eta: &[f64], impacts| {
+        Batch::new(epsilon, omega, eta, impacts).unwrap_err().to_string()
+    };
     assert_eq!(refused(&[0.1, 0.1], &[2.0], &[0.9, 0.9], 5), "omega has 1 numbers, not 2");
     assert_eq!(refused(&[0.1], &[2.0], &[], 5), "eta has 0 numbers, not 1");
     assert_eq!(refused(&[0.1], &[2.0], &[0.9], 0), "no impacts are asked for");

@@ -65,6 +65,12 @@ pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin
     if FIRST_SIDE { [(sin + sin) * (cosine * cos - sin), rate] } else { [-((cos + cos) * (cos + cosine * sin)), -rate] }
 }
 
+/// `1 + a z (1 + b z (1 + c z))`
+#[inline(always)]
+fn nested<L: Lanes>(z: L, [a, b, c]: [f64; 3]) -> L {
+    (z * (z * (z.by(c).plus(1.0)).by(b)).plus(1.0).by(a)).plus(1.0)
+}
+
 /// One step more by `N` terms, where the mask holds.
 #[inline(always)]
 fn further<L: Lanes, const N: usize>(
@@ -113,10 +119,7 @@ impl<L: Lanes> Blocks<L> {
         if L::any(busy & self.complete.below(one)) {
             self.complete = one.or(self.rests(speed), self.complete);
         }
-        let sure = found
-            & first
-            & cos.all(NEARLY_OVER).below(cos)
-            & speed.all(SLOWEST).below(speed);
+        let sure = found & first & cos.all(NEARLY_OVER).below(cos) & speed.all(SLOWEST).below(speed);
         Landed {
             time,
             interval: landing.interval,
@@ -171,7 +174,8 @@ impl<L: Lanes> Blocks<L> {
         // and one term more than there: that of t⁴, (v + q j) parabola⁴/(120 v), nearly
         let [_, q, ..] = self.series;
         let fourth = (q * (parabola * parabola)).by(1.0 / 20.0);
-        let near = (e * fourth + e.plus(1.0)) + e_squared * (e.by(5.0).plus(2.0) + e_squared * e.by(42.0).plus(14.0))
+        let near = (e * fourth + e.plus(1.0))
+            + e_squared * (e.by(5.0).plus(2.0) + e_squared * e.by(42.0).plus(14.0))
             + d * (e.by(5.0).plus(1.0) + (d.by(3.0) + e_squared.by(21.0)));
         let falls = self.speed.high.all(0.0).below(parabola);
         let small = e.abs().below(e.all(0.12));
@@ -193,23 +197,23 @@ impl<L: Lanes> Blocks<L> {
     }
 
     /// Where it is proven that no impact comes before the one found, in one of the two ways of `flight`.
+    ///
+    /// The forcing is `b(s) = b + j sin(ωs)/ω + k (1 - cos ωs)/ω²`, so `b + min(j, 0) s + min(k, 0) s²/2` is below it, and with `max` above.
     #[inline(always)]
     fn is_first(&self, start: &Start<L>, squared: L, s: L, busy: L::Mask) -> L::Mask {
         let Start { speed, acceleration, jerk, snap } = *start;
         let zero = s.all(0.0);
-        let most = self.omega + self.omega * self.epsilon;
-        let drift = self.omega * most * s;
-        let rise = (jerk.max(zero) + drift).min(most);
+        let rise = jerk.max(zero) + s * snap.max(zero).by(0.5);
         let concave = (acceleration + s * (speed + rise)).below(zero);
         let mut proven = concave;
         if L::any(busy & !concave) {
-            let fall = ((-jerk).max(zero) + drift).min(most);
-            // Bounds on sinh s and on cosh s - 1, for s <= 2.
+            let fall = jerk.min(zero) + s * snap.min(zero).by(0.5);
+            let lowest = acceleration + s * fall;
+            // Bounds on sinh s and on 2 (cosh s - 1), for s <= 2.3.
             let z = s * s;
-            let sinh = s * ((z * (z * (z.by(1.2 / 42.0)).plus(1.0)).by(1.0 / 20.0).plus(1.0)).by(1.0 / 6.0)).plus(1.0);
-            let cosh = z * ((z * (z * (z.by(1.2 / 56.0)).plus(1.0)).by(1.0 / 30.0).plus(1.0)).by(1.0 / 12.0)).plus(1.0);
+            let sinh = s * nested(z, [1.0 / 6.0, 1.0 / 20.0, 1.2 / 42.0]);
+            let cosh = z * nested(z, [1.0 / 12.0, 1.0 / 30.0, 1.2 / 56.0]);
             let height = speed * sinh + (self.epsilon * cosh).by(0.5);
-            let lowest = (acceleration - s * fall).max(-(self.epsilon.plus(2.0)));
             let excess = squared.plus(-1.0);
             let drive = (-(excess * self.epsilon)).or(excess.below(zero), excess * (-lowest).max(zero));
             let bounded = snap.below(zero) & ((height - squared) + drive).below(zero);

@@ -16,7 +16,7 @@ use super::{
 
 /// How many terms of the series are held, and up to which `max(1, ω) s` they are enough; see `flow`.
 pub(super) const TERMS: usize = 11;
-pub(super) const REACH: f64 = 2.0;
+pub(super) const REACH: f64 = 2.3;
 
 /// The same for few and for some terms.
 pub(super) const FEW: (usize, f64) = (5, 0.157);
