@@ -183,6 +183,32 @@ fn the_workload_is_that_of_the_oracle_and_hardly_any_flight_is_left_to_the_scala
     assert!(answer.tally.impacts > 290_000 && answer.tally.alone * 500 < answer.tally.impacts, "{:?}", answer.tally);
 }
 
+/// How far two doubles are apart, in units of the last place.
+fn ulps(x: f64, y: f64) -> u64 {
+    x.to_bits().abs_diff(y.to_bits())
+}
+
+/// Where the last digits are not lost to the conditioning of the case, they are those of the oracle.
+#[test]
+fn most_numbers_are_within_four_units_of_the_last_place() {
+    let cases = many();
+    let answer = run(&cases, 60, InstructionSet::fastest());
+    let (mut times, mut velocities, mut intervals, mut all) = (0, 0, 0, 0u32);
+    for (index, case) in cases.iter().enumerate() {
+        for (n, impact) in oracle(*case, 60).impacts.iter().enumerate() {
+            let at = index * 60 + n;
+            times += usize::from(ulps(answer.time[at], impact.time) <= 4);
+            velocities += usize::from(ulps(answer.velocity[at], impact.velocity) <= 4);
+            intervals += usize::from((answer.interval[at] / impact.interval - 1.0).abs() <= 1e-13);
+            all += 1;
+        }
+    }
+    let share = |count: usize| count as f64 / f64::from(all);
+    let shares = [share(times), share(velocities), share(intervals)];
+    assert!(shares[0] > 0.999 && shares[1] > 0.9 && shares[2] > 0.999, "{shares:?}");
+    eprintln!("times {:.5}, velocities {:.5}, intervals {:.5}", shares[0], shares[1], shares[2]);
+}
+
 /// A fault of 1e-13 in one parameter is seen: what is compared is compared closely enough.
 #[test]
 fn a_small_fault_is_caught() {

@@ -139,12 +139,13 @@ impl<L: Lanes> Blocks<L> {
         // Most flights are short, and need one step.
         let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, inside & !inside);
         let mut open = busy;
+        let mut steps = 0;
         if !L::any(busy & !inside) {
+            steps = 1;
             let (next, last) = step::<L, { FEW.0 }>(self, start, s);
             (here, found) = (next, last & inside);
             open = busy & !found;
         }
-        let mut steps = 1;
         while L::any(open) && steps < STEPS {
             steps += 1;
             let s = here.interval;
