@@ -26,7 +26,7 @@ use closed_form::{ClosedForm, batch::InstructionSet};
 use contract::{Case, Oracle};
 use serde::{Deserialize, Serialize};
 
-use verified::{Batched, IMPACTS, on_one_thread, verify_impacts, workload};
+use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
 
 /// What is gated: neither depends on which instruction sets a machine has beyond the baseline.
 const PATHS: [&str; 3] = ["oracle", "scalar", "baseline"];
@@ -153,7 +153,7 @@ fn record() -> PathBuf {
 fn measured(path: &str, measure: Measure, planted: f64) -> f64 {
     match measure {
         Measure::Instructions => instructions(path, planted).expect("valgrind, which was found before"),
-        Measure::Ratio => on_one_thread(|| ratio(path, planted)),
+        Measure::Ratio => one_thread().install(|| ratio(path, planted)),
     }
 }
 
@@ -175,7 +175,7 @@ fn main() -> ExitCode {
     let after = |flag: &str| arguments.iter().position(|argument| argument == flag).map(|at| &arguments[at + 1..]);
     if let Some([path, count, planted, ..]) = after("--work") {
         let mut work = Work::new(path, count.parse().expect("a number"), planted.parse().expect("a number"));
-        println!("{}", on_one_thread(move || work.run()));
+        println!("{}", one_thread().install(move || work.run()));
         return ExitCode::SUCCESS;
     }
     verify_impacts("closed-form", &|case| ClosedForm.history(case).ok(), 1e-12);

@@ -14,7 +14,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use ode::{Equation, Method, Ode};
 use taylor::Taylor;
 
-use verified::{Batched, IMPACTS, on_one_thread, verify_impacts, workload};
+use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
 
 fn throughput(criterion: &mut Criterion) {
     let cases = workload(200);
@@ -49,13 +49,13 @@ fn throughput(criterion: &mut Criterion) {
     }
     let cases = workload(100_000);
     let mut batched = Batched::new(&cases, IMPACTS);
+    let thread = one_thread();
     for set in InstructionSet::available() {
         Batched::verify(set, 1e-12);
         let tally = batched.run(set);
         group.throughput(Throughput::Elements(tally.impacts));
-        on_one_thread(|| {
-            group.bench_function(format!("batch/{set:?}"), |bencher| bencher.iter(|| batched.run(set))).is_ok()
-        });
+        let name = format!("batch/{set:?}");
+        group.bench_function(name, |bencher| bencher.iter(|| thread.install(|| batched.run(set))));
     }
     group.finish();
 }
@@ -67,6 +67,7 @@ fn depth(criterion: &mut Criterion) {
     verify_impacts("closed-form", &|case| ClosedForm.history(case).ok(), 1e-12);
     verify_impacts("ode", &|case| tsit45.impacts(case).ok(), 1e-6);
     Batched::verify(InstructionSet::fastest(), 1e-12);
+    let thread = one_thread();
     let mut group = criterion.benchmark_group("depth");
     group.sample_size(10).measurement_time(Duration::from_millis(500)).warm_up_time(Duration::from_millis(200));
     for impacts in [10, 40, 160, 640] {
@@ -80,7 +81,9 @@ fn depth(criterion: &mut Criterion) {
         let mut batched = Batched::new(&cases, impacts);
         group.throughput(Throughput::Elements((cases.len() * impacts) as u64));
         let set = InstructionSet::fastest();
-        group.bench_function(format!("batch of 1024/{impacts}"), |bencher| bencher.iter(|| batched.run(set)));
+        group.bench_function(format!("batch of 1024/{impacts}"), |bencher| {
+            bencher.iter(|| thread.install(|| batched.run(set)))
+        });
     }
     group.finish();
 }

@@ -126,7 +126,7 @@ impl Batched {
     }
 }
 
-/// Runs on one thread, whatever else rayon is set to.
-pub fn on_one_thread<T: Send>(run: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread").install(run)
+/// A pool of one thread, whatever else rayon is set to.
+pub fn one_thread() -> rayon::ThreadPool {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread")
 }
