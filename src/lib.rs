@@ -14,6 +14,7 @@
 //! claims, and [`chart`] draws what was written as CSV.
 
 pub mod answer;
+pub mod atlas;
 pub mod case_file;
 pub mod chart;
 pub mod compare;
@@ -40,6 +41,8 @@ pub mod report;
 pub mod response;
 pub mod scene;
 pub mod shrink;
+pub mod specimens;
 pub mod tolerance;
 pub mod verify;
+pub mod work_precision;
 pub mod zeno;

@@ -8,7 +8,8 @@ pub use asymptotic::{
 use closed_form::ClosedForm;
 use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
-use ode::{Equation, Flights, Method, Ode};
+use ode::{Equation, Flights};
+pub use ode::{Method, Ode, Restart};
 use printed::Printed;
 use taylor::Taylor;
 
@@ -79,6 +80,25 @@ pub fn stepper() -> Box<dyn Oracle> {
 /// The linear oracle corrected to first order for the slenderness of the block.
 pub fn corrected() -> Corrected {
     Corrected::new(stepper())
+}
+
+/// The methods of diffsol.
+pub const SOLVERS: [Method; 4] = Method::ALL;
+
+/// diffsol by itself, for what only it can do: the linear equation, by `method` and at the tolerance `rtol`.
+///
+/// # Errors
+/// When the tolerance is not inside [1e-13, 1e-2].
+pub fn solver(method: Method, rtol: f64) -> Result<Ode, Invalid> {
+    Ode::new(Equation::Linear, method).with_rtol(rtol)
+}
+
+/// The same on one clock, by Tsit45, restarted after each impact as named: a specimen.
+///
+/// # Errors
+/// As [`solver`].
+pub fn one_clock(restart: Restart, rtol: f64) -> Result<Ode, Invalid> {
+    Ok(solver(Method::Tsit45, rtol)?.with_flights(Flights::Naive).with_restart(restart))
 }
 
 /// The oracle with many digits by itself, for what only it can do.

@@ -13,6 +13,14 @@ pub enum Error {
         /// What the reader says.
         source: csv::Error,
     },
+    /// The file can't be written.
+    #[error("cannot write {file}: {source}")]
+    Write {
+        /// The file.
+        file: String,
+        /// What the system says.
+        source: std::io::Error,
+    },
     /// The table has no such column.
     #[error("{file}: no column {column:?}; there are {}", present.join(", "))]
     NoColumn {

@@ -38,6 +38,7 @@ mod caption;
 mod colour_bar;
 mod colour_map;
 mod error;
+mod files;
 mod geometry;
 mod heat;
 mod legend;
@@ -54,6 +55,7 @@ mod ticks;
 
 pub use axis::{Axis, Scale};
 pub use error::Error;
+pub use files::{Chart, csv_text, write};
 pub use heat::{Cell, HeatMap, HeatPanel};
 pub use lines::{LineChart, Panel};
 pub use mark::Mark;

@@ -45,6 +45,14 @@ impl Series {
         Self { draw, ..self }
     }
 
+    /// This series with values below `least` at that: errors below the resolution of a double are chance.
+    pub fn with_least(mut self, least: f64) -> Self {
+        for point in &mut self.points {
+            point.y = point.y.map(|value| value.max(least));
+        }
+        self
+    }
+
     /// This series with the look of a slot.
     pub fn with_slot(self, slot: usize) -> Self {
         Self { slot: Some(slot), ..self }

@@ -2,7 +2,7 @@ use std::{fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow};
 use chattercheck::{
-    chart::Table,
+    chart,
     diagnose::{CHARTS, Request, Tables},
 };
 use clap::Args;
@@ -39,20 +39,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let bar = indicatif::ProgressBar::new_spinner();
     let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
-    let mut written = String::new();
-    for (name, text) in tables.files()? {
-        let path = out.join(name);
-        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
-        written += &format!("{}\n", path.display());
-    }
-    // The charts are drawn from the files, not from what made them.
-    for chart in &CHARTS {
-        let svg = (chart.draw)(&Table::read(out.join(chart.table))?)?;
-        let path = out.join(chart.name);
-        fs::write(&path, svg).with_context(|| format!("cannot write {}", path.display()))?;
-        written += &format!("{}\n", path.display());
-    }
-    print(&written)?;
+    print(&chart::write(out, &tables.files()?, &CHARTS)?)?;
     Ok(Verdict::Well)
 }
 

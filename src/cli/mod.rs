@@ -1,6 +1,7 @@
 //! The command line: one file a command; each parses, calls the library and prints.
 
 mod case_flags;
+mod chart;
 mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
@@ -44,6 +45,7 @@ enum Command {
     Tolerances(tolerances::Arguments),
     DetectionFloor(detection_floor::Arguments),
     Diagnose(diagnose::Arguments),
+    Chart(chart::Arguments),
     Paper(paper::Arguments),
     Scene(scene::Arguments),
     Response(response::Arguments),
@@ -75,6 +77,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Tolerances(arguments) => tolerances::run(&arguments),
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
+        Command::Chart(arguments) => chart::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Response(arguments) => response::run(&arguments),

@@ -1,16 +1,6 @@
 //! The charts, each drawn from one of the files.
 
-use crate::chart::{Axis, Cell, Draw, Error, HeatMap, HeatPanel, LineChart, Mark, Panel, Series, Table};
-
-/// A chart and the file that it is drawn from.
-pub struct Chart {
-    /// The name of the SVG.
-    pub name: &'static str,
-    /// The name of the CSV.
-    pub table: &'static str,
-    /// Draws it.
-    pub draw: fn(&Table) -> Result<String, Error>,
-}
+use crate::chart::{Axis, Cell, Chart, Draw, Error, HeatMap, HeatPanel, LineChart, Mark, Panel, Series, Table};
 
 /// All of them.
 pub const CHARTS: [Chart; 12] = [
@@ -37,15 +27,7 @@ const ERROR: &str = "relative error of τ_{ch}";
 /// The series of a table whose names pass.
 fn only(table: &Table, column: &str, x: &str, y: &str, keep: impl Fn(&str) -> bool) -> Result<Vec<Series>, Error> {
     let series = table.series(column, x, y)?.into_iter().filter(|series| keep(&series.name));
-    Ok(series.map(|series| floored(series).with_draw(Draw::Line)).collect())
-}
-
-/// Errors below the resolution of a double at that resolution: what is below is chance.
-fn floored(mut series: Series) -> Series {
-    for point in &mut series.points {
-        point.y = point.y.map(|error| error.max(FLOOR));
-    }
-    series
+    Ok(series.map(|series| series.with_least(FLOOR).with_draw(Draw::Line)).collect())
 }
 
 /// A panel for each restitution.

@@ -15,11 +15,13 @@ use std::collections::BTreeMap;
 
 use contract::Decline;
 use rayon::prelude::*;
-use serde::Serialize;
 
-use crate::panel::{Expansion, RESUMMED_TERMS};
+use crate::{
+    chart::csv_text,
+    panel::{Expansion, RESUMMED_TERMS},
+};
 
-pub use charts::{CHARTS, Chart};
+pub use charts::CHARTS;
 pub use coefficients::CoefficientRow;
 pub use errors::ErrorRow;
 pub use exponents::{ExponentRow, LocalRow};
@@ -87,22 +89,15 @@ impl Tables {
     /// Never, as far as rows of numbers and names can be written.
     pub fn files(&self) -> Result<BTreeMap<&'static str, String>, csv::Error> {
         Ok(BTreeMap::from([
-            ("errors.csv", text(&self.errors)?),
-            ("coefficients.csv", text(&self.coefficients)?),
-            ("first_error.csv", text(&self.first_error)?),
-            ("exponents.csv", text(&self.exponents)?),
-            ("local_exponents.csv", text(&self.local_exponents)?),
-            ("fits.csv", text(&self.fits)?),
-            ("truncation.csv", text(&self.truncation)?),
+            ("errors.csv", csv_text(&self.errors)?),
+            ("coefficients.csv", csv_text(&self.coefficients)?),
+            ("first_error.csv", csv_text(&self.first_error)?),
+            ("exponents.csv", csv_text(&self.exponents)?),
+            ("local_exponents.csv", csv_text(&self.local_exponents)?),
+            ("fits.csv", csv_text(&self.fits)?),
+            ("truncation.csv", csv_text(&self.truncation)?),
         ]))
     }
-}
-
-pub(crate) fn text<Row: Serialize>(rows: &[Row]) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    rows.iter().try_for_each(|row| writer.serialize(row))?;
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 fn expansions(omega: f64, etas: &[f64], done: impl Fn() + Sync) -> Result<Vec<Expansion>, Decline> {

@@ -3,10 +3,7 @@
 use serde::Serialize;
 
 use super::{Error, Figure, observed};
-use crate::{
-    chart::{self, Axis, Draw, LineChart, Mark, Panel, Table},
-    diagnose::text,
-};
+use crate::chart::{self, Axis, Draw, LineChart, Mark, Panel, Table, csv_text};
 
 /// Fig. 3a.
 pub(super) const A: Figure =
@@ -53,7 +50,7 @@ fn measure(a: f64, omega: f64, eta: f64) -> Result<String, Error> {
         ratio: next.interval / flight.interval,
         limit: eta * eta,
     });
-    Ok(text(&rows.collect::<Vec<_>>())?)
+    Ok(csv_text(&rows.collect::<Vec<_>>())?)
 }
 
 fn draw(table: &Table) -> Result<String, chart::Error> {

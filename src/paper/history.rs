@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use super::{Error, half_period};
 use crate::{
+    chart::csv_text,
     chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table},
-    diagnose::text,
     panel,
     response::{Condition, Request, Response, Termination, Window},
 };
@@ -88,7 +88,7 @@ pub(super) fn mark(part: &'static str, n: Option<usize>, tau: f64) -> Row {
 
 /// The text of a table.
 pub(super) fn table(parts: Vec<Vec<Row>>) -> Result<String, Error> {
-    Ok(text(&parts.concat())?)
+    Ok(csv_text(&parts.concat())?)
 }
 
 /// A line for each scheme in one part of a figure.

@@ -19,6 +19,7 @@ mod naive;
 mod piece;
 mod run;
 
+use core::cell::Cell;
 use core::fmt;
 use core::str::FromStr;
 
@@ -58,14 +59,35 @@ pub enum Flights {
     Naive,
 }
 
+/// What a solver on one clock is given to start the flight after an impact. Each is what someone would write, and each fails in its own way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Restart {
+    /// The rotation exactly zero, and a first step of a quarter of the flight.
+    Zero,
+    /// The rotation lifted off the base by this much, so that the start of a flight is no root; and the same first step.
+    Lifted(f64),
+    /// The rotation exactly zero, and the step that the solver was taking before the impact.
+    OldStep,
+}
+
 /// The oracle: an equation, a method, a tolerance.
 #[derive(Debug, Clone)]
 pub struct Ode {
     equation: Equation,
     method: Method,
     flights: Flights,
+    restart: Restart,
     rtol: f64,
     name: String,
+}
+
+/// The impacts from a single run, and what they cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Counted {
+    /// As from [`Ode::impacts`].
+    pub history: History,
+    /// How often the right-hand side was evaluated.
+    pub evaluations: u64,
 }
 
 impl Equation {
@@ -121,7 +143,8 @@ impl FromStr for Method {
 impl Ode {
     /// The oracle for `equation` by `method`, with the method's default tolerance and rescaled flights.
     pub fn new(equation: Equation, method: Method) -> Self {
-        Self { equation, method, flights: Flights::Rescaled, rtol: method.default_rtol(), name: String::new() }.named()
+        let (flights, restart, rtol) = (Flights::Rescaled, Restart::Zero, method.default_rtol());
+        Self { equation, method, flights, restart, rtol, name: String::new() }.named()
     }
 
     /// The same with the relative tolerance `rtol`, which is also the absolute one in the units of the flight (or, in naive mode, of
@@ -141,6 +164,12 @@ impl Ode {
     #[must_use]
     pub fn with_flights(self, flights: Flights) -> Self {
         Self { flights, ..self }.named()
+    }
+
+    /// The same with the flights of [`Flights::Naive`] started as named; the default is [`Restart::Zero`].
+    #[must_use]
+    pub fn with_restart(self, restart: Restart) -> Self {
+        Self { restart, ..self }
     }
 
     /// The equation of motion.
@@ -171,9 +200,23 @@ impl Ode {
         self.run(case, self.rtol)
     }
 
+    /// As [`Ode::impacts`], with a count of what they cost.
+    ///
+    /// # Errors
+    /// As [`Oracle::history`].
+    pub fn counted(&self, case: &Case) -> Result<Counted, Decline> {
+        let evaluations = Cell::new(0);
+        let history = self.run_counting(case, self.rtol, &evaluations)?;
+        Ok(Counted { history, evaluations: evaluations.get() })
+    }
+
     fn run(&self, case: &Case, rtol: f64) -> Result<History, Decline> {
+        self.run_counting(case, rtol, &Cell::new(0))
+    }
+
+    fn run_counting(&self, case: &Case, rtol: f64, evaluations: &Cell<u64>) -> Result<History, Decline> {
         Ok(match Motion::new(case, self.equation)? {
-            Some(motion) => run::impacts(self, case, &motion, rtol),
+            Some(motion) => run::impacts(self, case, &motion, rtol, evaluations),
             None => History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None },
         })
     }

@@ -6,6 +6,7 @@ use core::cell::Cell;
 use contract::{Ending, Loss};
 use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
+use crate::Restart;
 use crate::equation::Motion;
 use crate::flight::Scaled;
 use crate::run::{Equations, Flight, Launch, Outcome};
@@ -20,6 +21,7 @@ const FIRST_STEP: f64 = 0.25;
 pub(crate) struct Naive<'c, S> {
     pub solver: S,
     pub sign: &'c Cell<f64>,
+    pub restart: Restart,
     pub motion: Motion,
 }
 
@@ -29,9 +31,16 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'
         self.sign.set(i);
         let state = self.solver.state_mut();
         let start = *state.t;
-        (state.y[0], state.y[1]) = (0.0, velocity);
-        (state.dy[0], state.dy[1]) = (velocity, self.motion.acceleration(i, self.motion.excess(i, start), 0.0));
-        *state.h = FIRST_STEP * Scaled::new(&self.motion, &Launch { tau: start, ..*launch }).time;
+        let phi = match self.restart {
+            // The first flight starts from rest, where there is nothing to lift.
+            Restart::Lifted(by) if velocity != 0.0 => i * by,
+            _ => 0.0,
+        };
+        (state.y[0], state.y[1]) = (phi, velocity);
+        (state.dy[0], state.dy[1]) = (velocity, self.motion.acceleration(i, self.motion.excess(i, start), phi));
+        if self.restart != Restart::OldStep || velocity == 0.0 {
+            *state.h = FIRST_STEP * Scaled::new(&self.motion, &Launch { tau: start, ..*launch }).time;
+        }
         let mut last = start;
         for _ in 0..MOST_STEPS {
             let Ok(reason) = self.solver.step() else {

@@ -67,8 +67,8 @@ pub(crate) trait Flight<'a, E> {
     fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome;
 }
 
-/// All impacts of `case`, claiming nothing.
-pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64) -> History {
+/// All impacts of `case`, claiming nothing; `evaluations` counts those of the right-hand side.
+pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<u64>) -> History {
     // A solver that cannot even be made has lost the sequence before its first impact.
     let failed = |_: DiffsolError| History {
         impacts: Vec::new(),
@@ -76,8 +76,8 @@ pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64) -> His
         chattering_time: None,
     };
     match ode.flights {
-        Flights::Rescaled => rescaled(ode.method, case, motion, rtol),
-        Flights::Naive => naive(ode.method, case, motion, rtol),
+        Flights::Rescaled => rescaled(ode.method, case, motion, rtol, evaluations),
+        Flights::Naive => naive(ode, case, motion, rtol, evaluations),
     }
     .unwrap_or_else(failed)
 }
@@ -94,7 +94,13 @@ macro_rules! with_solver {
     };
 }
 
-fn rescaled(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<History, DiffsolError> {
+fn rescaled(
+    method: Method,
+    case: &Case,
+    motion: &Motion,
+    rtol: f64,
+    evaluations: &Cell<u64>,
+) -> Result<History, DiffsolError> {
     let first = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
     let units = &Cell::new(Scaled::new(motion, &first));
     let mut problem = OdeBuilder::<Matrix>::new()
@@ -102,6 +108,7 @@ fn rescaled(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<H
         .atol([rtol])
         .rhs_implicit(
             |y, _, xi, dy| {
+                evaluations.set(evaluations.get() + 1);
                 if let (&[chi, velocity], [dchi, dvelocity]) = (y, dy) {
                     (*dchi, *dvelocity) = (velocity, units.get().acceleration(xi, chi));
                 }
@@ -130,13 +137,15 @@ fn rescaled(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<H
     ))
 }
 
-fn naive(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<History, DiffsolError> {
+fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<u64>) -> Result<History, DiffsolError> {
+    let &Ode { method, restart, .. } = ode;
     let sign = &Cell::new(-1.0);
     let mut problem = OdeBuilder::<Matrix>::new()
         .rtol(rtol)
         .atol([rtol])
         .rhs_implicit(
             |y, _, tau, dy| {
+                evaluations.set(evaluations.get() + 1);
                 if let (&[phi, velocity], [dphi, dvelocity]) = (y, dy) {
                     let i = sign.get();
                     (*dphi, *dvelocity) = (velocity, motion.acceleration(i, motion.excess(i, tau), phi));
@@ -160,7 +169,7 @@ fn naive(method: Method, case: &Case, motion: &Motion, rtol: f64) -> Result<Hist
         .init(|_, _, y| y.fill(0.0), 2)
         .build()?;
     tame(&mut problem, method);
-    with_solver!(method, problem, |solver| follow(case, motion, Naive { solver, sign, motion: *motion }))
+    with_solver!(method, problem, |solver| follow(case, motion, Naive { solver, sign, restart, motion: *motion }))
 }
 
 /// Lifts the limits that are counted over the life of a solver, which here is a whole history; a flight has a limit of its own.

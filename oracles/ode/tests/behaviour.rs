@@ -3,8 +3,8 @@
 mod common;
 
 use common::{Random, case, impacts, linear};
-use contract::{Case, Decline, Ending, Horizon, Limit, Model, Normalisation, Oracle, Slenderness};
-use ode::{Equation, Flights, Method, Ode};
+use contract::{Case, Decline, Ending, Horizon, Impact, Limit, Loss, Model, Normalisation, Oracle, Slenderness};
+use ode::{Equation, Flights, Method, Ode, Restart};
 
 #[test]
 fn nothing_is_lost() {
@@ -169,6 +169,38 @@ fn on_the_global_clock_the_sequence_is_lost_at_depth() {
             let error = (found.interval / truth.interval - 1.0).abs();
             assert!(error < 0.5 || found.uncertainty.interval > 0.5, "{method} {found:?} {truth:?}");
         }
+    }
+}
+
+#[test]
+fn on_the_global_clock_every_way_to_start_a_flight_fails_in_its_own_way() {
+    let case = case(1.03, 2.0, 0.92).with_max_impacts(400).unwrap();
+    let truth = linear(Method::Tsit45).impacts(&case).unwrap().impacts;
+    let naive =
+        |restart| linear(Method::Tsit45).with_flights(Flights::Naive).with_restart(restart).impacts(&case).unwrap();
+    let resolved = |impacts: &[Impact]| {
+        let pairs = impacts.iter().zip(&truth);
+        pairs.take_while(|(found, truth)| (found.interval / truth.interval - 1.0).abs() < 0.01).count()
+    };
+    let [zero, lifted, old] = [Restart::Zero, Restart::Lifted(1e-12), Restart::OldStep].map(naive);
+    assert!((200..300).contains(&resolved(&zero.impacts)), "{}", resolved(&zero.impacts));
+    // Lifted, it rattles on without an error, at intervals that no longer shrink.
+    assert!((50..150).contains(&resolved(&lifted.impacts)), "{}", resolved(&lifted.impacts));
+    assert!(
+        matches!(lifted.impacts[..], [.., a, _, b] if lifted.impacts.len() > 200 && (a.interval / b.interval - 1.0).abs() < 0.01)
+    );
+    // With the step from before the impact it steps over the whole flight.
+    assert_eq!((resolved(&old.impacts), old.ending), (1, Ending::Lost(Loss::FellThrough)));
+}
+
+#[test]
+fn what_a_history_costs_is_counted() {
+    let case = case(1.03, 2.0, 0.92);
+    for method in Method::ALL {
+        let (fine, coarse) = (linear(method), linear(method).with_rtol(1e-4).unwrap());
+        let [counted, cheap] = [&fine, &coarse].map(|ode| ode.counted(&case).unwrap());
+        assert_eq!(counted.history, fine.impacts(&case).unwrap(), "{method}: counting changes nothing");
+        assert!(counted.evaluations > cheap.evaluations && cheap.evaluations >= 60, "{method}");
     }
 }
 

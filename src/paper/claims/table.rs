@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{Judged, Verdict};
-use crate::{diagnose::text, paper::Error};
+use crate::{chart::csv_text, paper::Error};
 
 /// The table for people.
 pub fn markdown(judged: &[Judged]) -> String {
@@ -69,5 +69,5 @@ pub(in crate::paper) fn csv(judged: &[Judged]) -> Result<String, Error> {
             verdict: verdict.to_string(),
         })
         .collect();
-    Ok(text(&rows)?)
+    Ok(csv_text(&rows)?)
 }

@@ -1,0 +1,141 @@
+//! The cases that the peers are asked, with proven impacts, and the project's own oracles on the same cases. Run by `benches/peers/run.py`.
+//!
+//! `peers cases DIR` writes `cases.csv` and `truth.csv`; `peers time DIR` prints a line of JSON for each oracle, with its answers, which are
+//! judged where those of the peers are, and with how long the workload took.
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)] // A program of the benches: it ends at the first surprise.
+
+use std::{env, fs, hint::black_box, time::Instant};
+
+use asymptotic::{Asymptotic, Order};
+use closed_form::ClosedForm;
+use contract::{Case, Decline, Ending, History, Model, Oracle};
+use enclosure::Enclosure;
+use ode::{Equation, Flights, Method, Ode};
+use proptest::{
+    prelude::*,
+    strategy::ValueTree,
+    test_runner::{Config, RngAlgorithm, TestRng, TestRunner},
+};
+use serde_json::json;
+
+/// How many cases the workload has, and how many impacts of each.
+const WORKLOAD: (usize, usize) = (100, 60);
+/// How deep the sequence of (1.03, 2, 0.92) is followed: to intervals of 1e-29.
+const DEEP: usize = 800;
+/// How far the cases of the work-precision charts are from the threshold to the critical amplitude, and how many impacts are listed there.
+const SHARES: [(&str, f64, usize); 3] = [("50 %", 0.5, 80), ("90 %", 0.9, 120), ("99.9 %", 0.999, 200)];
+const REPEATS: usize = 5;
+
+/// Every case with its name: those of the workload are numbers.
+fn cases() -> Vec<(String, Case)> {
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[6; 32]);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let strategy = (1.005..1.035, 0.5..8.0, 0.80..0.95);
+    let (count, impacts) = WORKLOAD;
+    let case = |epsilon: f64, omega, eta, impacts| {
+        Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(impacts).unwrap()
+    };
+    let mut cases: Vec<_> = (0..count)
+        .map(|number| {
+            let (a, omega, eta): (f64, f64, f64) = strategy.new_tree(&mut runner).unwrap().current();
+            (number.to_string(), case(a - 1.0, omega, eta, impacts))
+        })
+        .collect();
+    cases.push(("deep".into(), case(1.03 - 1.0, 2.0, 0.92, DEEP)));
+    let critical = chattercheck::critical::interpolated(2.0, 0.92).unwrap();
+    cases.extend(
+        SHARES.map(|(name, share, impacts)| (format!("share {name}"), case(share * critical, 2.0, 0.92, impacts))),
+    );
+    cases
+}
+
+fn write_cases(folder: &str) {
+    let judge = Enclosure::new(Model::Linear);
+    let (mut listed, mut truth) =
+        ("case,epsilon,omega,eta,impacts,tau_ch\n".to_owned(), "case,n,tau,interval\n".to_owned());
+    for (name, case) in cases() {
+        let history = judge.history(&case).expect("decided");
+        let tau_ch = history.chattering_time.map_or(String::new(), |time| time.value.to_string());
+        let (epsilon, omega, eta, impacts) = (case.epsilon(), case.omega(), case.eta(), case.max_impacts());
+        listed += &format!("{name},{epsilon},{omega},{eta},{impacts},{tau_ch}\n");
+        for (n, impact) in (1..).zip(&history.impacts) {
+            truth += &format!("{name},{n},{},{:e}\n", impact.time, impact.interval);
+        }
+    }
+    fs::create_dir_all(folder).unwrap();
+    fs::write(format!("{folder}/cases.csv"), listed).unwrap();
+    fs::write(format!("{folder}/truth.csv"), truth).unwrap();
+}
+
+type Run = Box<dyn Fn(&Case) -> Result<History, Decline>>;
+
+/// The oracles of the linear model; diffsol in a single run, without the two coarser ones that its claims are made from.
+fn oracles() -> Vec<(String, Run)> {
+    let mut oracles: Vec<(String, Run)> = vec![
+        ("closed-form, with its claims".into(), Box::new(|case| ClosedForm.history(case))),
+        ("enclosure, proven".into(), Box::new(|case| Enclosure::new(Model::Linear).history(case))),
+    ];
+    let series = Asymptotic::new().with_order(Order::Terms(16)).expect("in range");
+    oracles.push(("asymptotic/order-16, with its claims".into(), Box::new(move |case| series.history(case))));
+    let mut add = |method: Method, rtol, flights| {
+        let ode = Ode::new(Equation::Linear, method).with_flights(flights).with_rtol(rtol).expect("in range");
+        oracles.push((format!("{}, rtol {rtol:e}", ode.name()), Box::new(move |case| ode.impacts(case))));
+    };
+    add(Method::Tsit45, 1e-12, Flights::Rescaled);
+    add(Method::Tsit45, 1e-10, Flights::Rescaled);
+    add(Method::Esdirk34, 1e-10, Flights::Rescaled);
+    add(Method::Bdf, 1e-9, Flights::Rescaled);
+    add(Method::TrBdf2, 1e-8, Flights::Rescaled);
+    add(Method::Tsit45, 1e-12, Flights::Naive);
+    oracles
+}
+
+fn ended(history: &History) -> String {
+    match history.ending {
+        Ending::Lost(loss) => format!("loud: {loss}"),
+        ending => ending.to_string(),
+    }
+}
+
+fn time(folder: &str) {
+    // That the cases are those of the files is what makes it one run.
+    let listed = fs::read_to_string(format!("{folder}/cases.csv")).expect("cases");
+    let cases = cases();
+    assert_eq!(listed.lines().count(), cases.len() + 1);
+    for (setting, run) in oracles() {
+        let answers: serde_json::Map<_, _> = cases
+            .iter()
+            .map(|(name, case)| {
+                let answer = run(case).map(|history| {
+                    let times: Vec<f64> = history.impacts.iter().map(|impact| impact.time).collect();
+                    let intervals: Vec<f64> = history.impacts.iter().map(|impact| impact.interval).collect();
+                    json!([times, intervals, ended(&history)])
+                });
+                (name.clone(), answer.unwrap_or_else(|decline| json!([[], [], format!("declined: {decline}")])))
+            })
+            .collect();
+        let workload: Vec<_> = cases.iter().filter(|(name, _)| name.parse::<usize>().is_ok()).collect();
+        // The best of some repeats of each case, so that what else runs on the machine counts little.
+        let seconds: f64 = workload
+            .iter()
+            .map(|(_, case)| {
+                let once = || {
+                    let start = Instant::now();
+                    drop(black_box(run(black_box(case))));
+                    start.elapsed().as_secs_f64()
+                };
+                (0..REPEATS).map(|_| once()).fold(f64::INFINITY, f64::min)
+            })
+            .sum();
+        println!("{}", json!({ "setting": setting, "seconds": seconds, "answers": answers }));
+    }
+}
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["cases", folder] => write_cases(folder),
+        ["time", folder] => time(folder),
+        _ => panic!("peers cases DIR, or peers time DIR"),
+    }
+}

@@ -1,0 +1,100 @@
+"""Asks the peers and the project's own oracles the same cases, in one run, and writes one row for each setting.
+
+Usage: run.py [OUT], after `cargo build --release --example peers`; OUT is data/record/peers unless given. See README.md.
+"""
+
+import csv
+import importlib
+import json
+import os
+import subprocess
+import sys
+
+import measure
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
+CASES = os.path.join(ROOT, "target", "peers")
+PEERS = ["peer_numba", "peer_heyoka", "peer_cvode", "peer_scipy"]
+PATIENCE = 600.0  # seconds for a setting, everything included
+
+COLUMNS = {
+    "peers": "tool,version,setting,cases,cases_lost,impacts,impacts_per_s,closed_form_ratio,worst_time_error_20,"
+    "worst_interval_error,impacts_resolved,outcome",
+    "work_precision": "share,epsilon,family,setting,impacts,rhs,seconds,tau_ch_error,impact_40_error,outcome",
+}
+
+
+def own():
+    """The rows of the project's own oracles: their answers, judged as those of the peers are."""
+    cases = measure.read(CASES)
+    lines = subprocess.run([OWN, "time", CASES], check=True, capture_output=True, text=True).stdout.splitlines()
+    for line in lines:
+        answer = json.loads(line)
+        judged = [measure.judge(answer["answers"][name], case) for name, case in measure.workload(cases).items()]
+        deep = measure.judge(answer["answers"]["deep"], cases["deep"])
+        yield measure.row("chattercheck", "0.1.0", answer["setting"], judged, answer["seconds"], deep)
+
+
+def ask(module, index):
+    """What a peer says in a process of its own, which may fail or hang."""
+    command = [sys.executable, os.path.join(HERE, "measure.py"), module, CASES, str(index)]
+    try:
+        answer = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=HERE)
+    except subprocess.TimeoutExpired:
+        return f"timed out after {PATIENCE:g} s"
+    if answer.returncode:
+        return f"error: {(answer.stderr.strip().splitlines() or ['no message'])[-1]}"
+    return json.loads(answer.stdout.splitlines()[-1])
+
+
+def write(folder, name, rows):
+    """One CSV; what a row does not have stays empty."""
+    with open(os.path.join(folder, f"{name}.csv"), "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS[name].split(","), restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def table(rows):
+    """The same for people to read: one line a setting, the fastest first."""
+    lines = [
+        "| tool | setting | impacts/s | the closed form is faster by | worst time error, first 20 impacts | cases lost | impacts resolved on (1.03, 2, 0.92) | there |",
+        "| --- | --- | --- | --- | --- | --- | --- | --- |",
+    ]
+    for row in sorted(rows, key=lambda row: -float(row.get("impacts_per_s") or 0)):
+        numbers = [row.get(name, "") or "-" for name in ("impacts_per_s", "closed_form_ratio", "worst_time_error_20")]
+        lost = f"{row['cases_lost']} of {row['cases']}" if "cases" in row else "-"
+        cells = [f"{row['tool']} {row['version']}", row["setting"], *numbers, lost, row.get("impacts_resolved", "-"), row["outcome"]]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    out = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "data", "record", "peers")
+    os.makedirs(out, exist_ok=True)
+    subprocess.run([OWN, "cases", CASES], check=True)
+    tables = {"peers": list(own()), "work_precision": []}
+    for module in PEERS:
+        peer = importlib.import_module(module)
+        for index, setting in enumerate(peer.SETTINGS):
+            print(f"{peer.TOOL}: {setting}", file=sys.stderr)
+            answer = ask(module, index)
+            if isinstance(answer, str):
+                failed = {"tool": peer.TOOL, "version": peer.VERSION, "setting": setting, "outcome": answer}
+                answer = {"peers": [failed], "work_precision": []}
+            for name, rows in answer.items():
+                tables[name] += rows
+    fastest = float(tables["peers"][0]["impacts_per_s"])  # the closed form is asked first
+    for row in tables["peers"]:
+        if row.get("impacts"):
+            row["closed_form_ratio"] = f"{fastest / float(row['impacts_per_s']):.3g}"
+    for name, rows in tables.items():
+        write(out, name, rows)
+    with open(os.path.join(out, "peers.md"), "w") as file:
+        file.write(table(tables["peers"]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,58 @@
+use std::{fs, path::PathBuf};
+
+use anyhow::{Context as _, anyhow};
+use chattercheck::{atlas, chart, work_precision};
+use clap::{Args, ValueEnum};
+
+use super::{Verdict, output::print};
+
+/// Speed against accuracy, and where methods fail: tables (CSV), and charts (SVG) drawn from them
+///
+/// The work-precision charts show the error of the chattering time and of impact 40 against what they cost, in seconds and in work. The atlas
+/// shows what each known way of handling the accumulation point does, near and far from the critical amplitude. Some minutes.
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Where the files go
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Only one of the two parts
+    #[arg(long, value_enum, value_name = "PART")]
+    only: Option<Part>,
+    /// Rows of the peers, from benches/peers, to be drawn beside the others
+    #[arg(long, value_name = "FILE")]
+    peers: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    WorkPrecision,
+    Atlas,
+}
+
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+    let Arguments { out, only, peers } = arguments;
+    let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
+    // First, because what follows takes a while.
+    fs::create_dir_all(out)
+        .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
+    let bar = indicatif::ProgressBar::new_spinner();
+    let wanted = |part| only.is_none_or(|only| only == part);
+    if wanted(Part::WorkPrecision) {
+        let mut rows = work_precision::measure(&work_precision::Request::default(), || bar.inc(1))
+            .map_err(|decline| anyhow!("{decline}"))?;
+        rows.extend(peers);
+        print(&chart::write(out, &work_precision::files(&rows)?, &work_precision::CHARTS)?)?;
+    }
+    if wanted(Part::Atlas) {
+        let tables = atlas::Tables::measure(&atlas::Request::default(), || bar.inc(1))
+            .map_err(|decline| anyhow!("{decline}"))?;
+        print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
+    }
+    bar.finish_and_clear();
+    Ok(Verdict::Well)
+}
+
+fn peers_in(path: &PathBuf) -> anyhow::Result<Vec<work_precision::WorkRow>> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read peers = {}", path.display()))?;
+    work_precision::read(&text).with_context(|| format!("peers = {} are no such rows", path.display()))
+}

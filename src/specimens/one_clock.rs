@@ -1,0 +1,50 @@
+use contract::{Case, Ending, Horizon, Limit, Loss};
+
+use super::{ENDLESS, Landing, Response, Run, Specimen, Verdict, half_period};
+use crate::panel::{self, Restart};
+
+/// diffsol (Tsit45) on one clock, with the rotation as its event and Eq. 13 at each root, as in the bouncing ball of its own examples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OneClock {
+    /// What it is given to start a flight.
+    pub restart: Restart,
+    /// The relative tolerance, which is also the absolute one.
+    pub rtol: f64,
+}
+
+impl Specimen for OneClock {
+    fn family(&self) -> &'static str {
+        match self.restart {
+            Restart::Zero => "one clock, state zero",
+            Restart::Lifted(_) => "one clock, state lifted",
+            Restart::OldStep => "one clock, old step kept",
+        }
+    }
+
+    fn setting(&self) -> String {
+        format!("rtol {:e}", self.rtol)
+    }
+
+    fn run(&self, case: &Case) -> Option<Run> {
+        let half_period = half_period(case);
+        let end = 2.0 * half_period;
+        let followed = case.with_max_impacts(ENDLESS).ok()?.with_horizon(Horizon::Until(end)).ok()?;
+        let counted = panel::one_clock(self.restart, self.rtol).ok()?.counted(&followed).ok()?;
+        let mut impacts: Vec<Landing> = counted.history.impacts.iter().map(Landing::from).collect();
+        let reached_the_end = counted.history.ending == Ending::LimitReached(Limit::Time);
+        let response = reached_the_end.then(|| Response::of(case, &impacts, None));
+        let is_past = impacts.iter().any(|impact| impact.time >= half_period);
+        let verdict = match counted.history.ending {
+            _ if is_past || reached_the_end => Verdict::Rocks,
+            // What the solver does not notice, and a check of the sign after each step does.
+            Ending::Lost(Loss::FellThrough) => Verdict::Astray("falls through the base without an event"),
+            Ending::Lost(Loss::NotFinite) => Verdict::Astray("the velocity at an impact has the wrong sign"),
+            Ending::Lost(Loss::Stalled) => Verdict::Hangs("time stands still"),
+            Ending::Lost(Loss::SolverFailed) => Verdict::GaveUp("the solver gives up".into()),
+            Ending::AtRest | Ending::LimitReached(_) => Verdict::Hangs("impacts without end"),
+            Ending::NeverRocks | Ending::Incomplete | Ending::Overturned => return None,
+        };
+        impacts.retain(|impact| impact.time < half_period);
+        Some(Run { impacts, verdict, response, evaluations: Some(counted.evaluations) })
+    }
+}

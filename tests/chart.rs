@@ -1,0 +1,106 @@
+//! The work-precision charts: what they measure, on one distance, and the command.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
+
+use std::{collections::BTreeSet, sync::OnceLock};
+
+use assert_cmd::Command;
+use chattercheck::{
+    chart::Table,
+    work_precision::{CHARTS, Request, WorkRow, files, measure, read},
+};
+
+fn small() -> &'static [WorkRow] {
+    static ROWS: OnceLock<Vec<WorkRow>> = OnceLock::new();
+    let request = Request { percents: vec![(50.0, 80)], patience: 0.0, ..Request::default() };
+    ROWS.get_or_init(|| measure(&request, || ()).unwrap())
+}
+
+fn family(name: &str) -> Vec<&'static WorkRow> {
+    small().iter().filter(|row| row.family == name).collect()
+}
+
+fn tau_ch(name: &str, setting: &str) -> f64 {
+    family(name).into_iter().find(|row| row.setting == setting).unwrap().tau_ch_error.unwrap()
+}
+
+#[test]
+fn every_row_has_a_cost_and_an_error_or_a_reason() {
+    let mut seen = BTreeSet::new();
+    for row in small() {
+        assert!(row.seconds > 0.0, "{row:?}");
+        assert!(row.tau_ch_error.is_some() || !row.outcome.is_empty(), "{row:?}");
+        assert!(seen.insert((&row.family, &row.setting)), "{row:?} twice");
+    }
+}
+
+#[test]
+fn the_higher_orders_take_a_fraction_of_the_impacts() {
+    assert!(tau_ch("closed form, higher orders", "40 impacts") < 1e-13);
+    assert!(tau_ch("closed form, Eq. 75", "40 impacts") > 1e-5);
+    assert!(tau_ch("closed form, Eq. 75", "160 impacts") < 1e-12);
+    assert!(tau_ch("velocity threshold", "1e-12") > 1e-12);
+}
+
+#[test]
+fn solvers_follow_their_tolerance_where_each_flight_has_its_own_units() {
+    for solver in ["tsit45", "bdf", "tr-bdf2", "esdirk34"] {
+        let rows = family(&format!("{solver}, rescaled"));
+        assert_eq!(rows.len(), 10);
+        let (coarse, fine) = (rows[0], rows[9]);
+        assert!(fine.tau_ch_error.unwrap() < 1e-4 * coarse.tau_ch_error.unwrap(), "{solver}");
+        assert!(fine.impact_40_error.unwrap() < 1e-4 * coarse.impact_40_error.unwrap(), "{solver}");
+        assert!(fine.rhs > coarse.rhs, "{solver}");
+    }
+    for row in family("tsit45, one clock, old step") {
+        assert!(row.tau_ch_error.is_none() && row.outcome.contains("fell through"), "{row:?}");
+    }
+}
+
+#[test]
+fn what_the_enclosure_proves_gets_narrower_with_its_digits() {
+    let widths: Vec<f64> = family("enclosure, proven").iter().map(|row| row.tau_ch_error.unwrap()).collect();
+    assert!(widths.windows(2).all(|two| two[1] < two[0]) && widths[7] < 1e-15, "{widths:?}");
+}
+
+/// Everything but the seconds is the same in every run.
+#[test]
+fn only_the_seconds_change() {
+    let request = Request { percents: vec![(50.0, 80)], patience: 0.0, ..Request::default() };
+    let timeless =
+        |rows: &[WorkRow]| -> Vec<WorkRow> { rows.iter().map(|row| WorkRow { seconds: 0.0, ..row.clone() }).collect() };
+    assert_eq!(timeless(&measure(&request, || ()).unwrap()), timeless(small()));
+}
+
+#[test]
+fn every_chart_is_drawn_from_the_file_with_and_without_peers() {
+    let recorded = concat!(env!("CARGO_MANIFEST_DIR"), "/data/record/peers/work_precision.csv");
+    let recorded = std::fs::read_to_string(recorded).unwrap();
+    for peers in [Vec::new(), read(&recorded).unwrap()] {
+        let files = files(&[small(), &peers].concat()).unwrap();
+        for chart in &CHARTS {
+            let table = Table::from_reader(chart.table, files[chart.table].as_bytes()).unwrap();
+            let svg = (chart.draw)(&table).unwrap();
+            assert!(svg.starts_with("<svg"), "{}", chart.name);
+            let shows_peers = svg.contains("heyoka.py (peer)");
+            assert_eq!(shows_peers, !peers.is_empty() && chart.name == "work_impact_40.svg", "{}", chart.name);
+        }
+    }
+    assert!(read("share,epsilon\n50 %,0.1\n").is_err());
+}
+
+#[test]
+fn what_the_command_refuses() {
+    let folder = tempfile::tempdir().unwrap();
+    let chart = |flags: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_chattercheck")).arg("chart").args(flags).output().unwrap();
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{message}");
+        message
+    };
+    let out = folder.path().join("out");
+    let out = out.to_str().unwrap();
+    assert!(chart(&["--only", "atlas"]).contains("--out"));
+    assert!(chart(&["--out", out, "--only", "maps"]).contains("maps"));
+    assert!(chart(&["--out", out, "--peers", "/nowhere/peers.csv"]).contains("/nowhere/peers.csv"));
+    assert!(!folder.path().join("out").exists(), "nothing is written");
+}
