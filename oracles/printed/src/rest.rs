@@ -25,13 +25,11 @@ pub(crate) fn is_certain(case: &Case, forcing: f64, velocity: f64, left: f64) ->
     WINDOWS.iter().any(|factor| {
         let window = factor * unchanged;
         let rise = |m: f64| speed * speed / (2.0 * m);
-        let least = toward.map(|now| {
-            let m = now - steepest * window;
-            m - rise(0.5 * m)
-        });
+        let on_base = toward.map(|now| now - steepest * window);
+        let least = on_base.map(|m| m - rise(0.5 * m));
         let growth = least.map(|m| (1.0 + (2.0 * steepest * speed / m + rise(m)) / m).sqrt());
         // Comparisons with NaN are false.
-        toward.iter().zip(&least).all(|(now, m)| *m > 0.0 && *m > 0.5 * (now - steepest * window))
+        on_base.iter().zip(&least).all(|(on_base, m)| *on_base > 0.0 && *m > 0.5 * on_base)
             && growth.iter().all(|growth| eta * growth < 1.0)
             && total(least, growth) < window
             && window < left
@@ -50,5 +48,42 @@ mod tests {
         assert!(!is_certain(&case, 0.43, -0.02, 0.4), "the forcing changes");
         assert!(!is_certain(&case, 1.01, 1.6e-8, 0.4), "the forcing lifts the block");
         assert!(!is_certain(&case, f64::NAN, 1.6e-8, 0.4));
+    }
+
+    /// The time that infinitely many flights take under a forcing that does not change, one after the other.
+    fn time_of_all(forcing: f64, velocity: f64, eta: f64) -> f64 {
+        let (mut speed, mut side, mut time) = (velocity.abs(), velocity.signum(), 0.0);
+        while speed > 1e-18 * velocity.abs() {
+            time += 2.0 * speed / (1.0 + side * forcing);
+            speed *= eta;
+            side = -side;
+        }
+        time
+    }
+
+    #[test]
+    fn a_forcing_that_hardly_changes_needs_a_tenth_more_time_than_the_flights_take() {
+        for (forcing, eta) in [(0.43, 0.92), (-0.8, 0.7), (0.0, 0.3), (0.9, 0.97)] {
+            let case = Case::from_amplitude(1.03, 1e-4, eta).unwrap();
+            for velocity in [1e-7, -1e-7] {
+                let time = time_of_all(forcing, velocity, eta);
+                assert!(is_certain(&case, forcing, velocity, 1.11 * time), "{forcing} {eta} {velocity}");
+                assert!(!is_certain(&case, forcing, velocity, 1.09 * time), "{forcing} {eta} {velocity}");
+            }
+        }
+    }
+
+    /// Where the forcing could come up to what the block resists before the flights end, nothing is certain; well before that, it is.
+    #[test]
+    fn the_forcing_may_not_come_near_the_threshold_within_the_window() {
+        for (forcing, omega, eta) in [(0.43, 2.0, 0.92), (-0.9, 8.0, 0.7), (0.9, 0.5, 0.5)] {
+            let case = Case::from_amplitude(1.03, omega, eta).unwrap();
+            for side in [1.0, -1.0] {
+                // The speed at which the forcing, as steep as it can be, covers the distance to the threshold in just the time that all flights take.
+                let reaching = (1.0 - f64::abs(forcing)) / (1.03 * omega) / time_of_all(forcing, side, eta);
+                assert!(!is_certain(&case, forcing, side * reaching / 1.1, f64::INFINITY), "{forcing} {omega} {side}");
+                assert!(is_certain(&case, forcing, side * reaching / 5.0, f64::INFINITY), "{forcing} {omega} {side}");
+            }
+        }
     }
 }
