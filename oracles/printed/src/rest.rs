@@ -86,4 +86,20 @@ mod tests {
             }
         }
     }
+
+    /// Without a forcing and with one that stays: a flight rises to `v²/(2m)`, which weakens the pull by as much; not by more than half is allowed,
+    /// and no more than restitution takes away again.
+    #[test]
+    fn a_flight_may_not_rise_so_high_that_its_return_is_in_doubt() {
+        let certain = |eta: f64, velocity: f64| {
+            is_certain(&Case::from_amplitude(1.03, 1e-6, eta).unwrap(), 0.0, velocity, f64::INFINITY)
+        };
+        for side in [1.0, -1.0] {
+            // 1 - v² > 1/2, with m >= 1/2 on the way up.
+            assert!(certain(0.1, 0.70 * side) && !certain(0.1, 0.72 * side));
+            // Restitution is nearly 1: v²/(2m²) may add less to the speed than it takes.
+            assert!(certain(0.99, 0.15 * side) && !certain(0.99, 0.2 * side) && !certain(0.99, 0.5 * side));
+            assert!(certain(0.9, 0.42 * side) && !certain(0.9, 0.48 * side));
+        }
+    }
 }
