@@ -187,3 +187,22 @@ fn on_the_global_clock_odd_cases_neither_panic_nor_hang() {
         }
     }
 }
+
+/// Rotations, of the order of the square of an interval, would come near the smallest double.
+#[test]
+fn impacts_end_where_the_intervals_have_nothing_left_to_resolve() {
+    for eta in [0.5, 0.2] {
+        let case = case(1.01, 2.0, eta).with_max_impacts(3000).unwrap();
+        let history = impacts(&linear(Method::Tsit45), &case);
+        let [before @ .., last] = &history.impacts[..] else { panic!("no impacts") };
+        assert_eq!(history.ending, Ending::AtRest);
+        assert!(last.interval < 1e-140 && before.iter().all(|impact| impact.interval >= 1e-140), "{last:?}");
+    }
+}
+
+#[test]
+fn what_was_asked_for_is_told() {
+    let ode = Ode::new(Equation::Nonlinear, Method::Bdf).with_rtol(1e-7).unwrap().with_flights(Flights::Naive);
+    assert_eq!((ode.equation(), ode.method(), ode.flights()), (Equation::Nonlinear, Method::Bdf, Flights::Naive));
+    assert_eq!((ode.rtol(), Method::TrBdf2.to_string().as_str()), (1e-7, "tr-bdf2"));
+}
