@@ -102,4 +102,15 @@ mod tests {
             assert!(certain(0.9, 0.42 * side) && !certain(0.9, 0.48 * side));
         }
     }
+
+    /// Where little is left of the pull, `m` here, what the forcing takes of it within a flight, `2aωv/m`, counts as a part of `m`: it makes the
+    /// block come back faster by `v sqrt(1 + 2aωv/m²)`. That halves the speed that the window alone would allow.
+    #[test]
+    fn a_forcing_that_falls_within_a_flight_speeds_the_block_up() {
+        for omega in [0.5, 2.0, 8.0] {
+            let case = Case::from_amplitude(1.03, omega, 0.9).unwrap();
+            assert!(is_certain(&case, 0.97, 1.6e-5 / omega, f64::INFINITY));
+            assert!(!is_certain(&case, 0.97, 1.9e-5 / omega, f64::INFINITY));
+        }
+    }
 }
