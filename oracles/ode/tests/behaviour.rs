@@ -216,7 +216,7 @@ fn on_the_global_clock_the_first_impacts_and_the_endings_are_right() {
     for case in blocks.into_iter().chain([case(20.0, 0.5, 0.9), case(1.02, 6.0, 0.8).with_max_impacts(6).unwrap()]) {
         let truth = impacts(&linear(Method::Tsit45), &case);
         for (method, error) in
-            [(Method::Tsit45, 1e-6), (Method::Bdf, 1e-3), (Method::TrBdf2, 3e-2), (Method::Esdirk34, 1e-4)]
+            [(Method::Tsit45, 1e-6), (Method::Bdf, 1e-2), (Method::TrBdf2, 3e-2), (Method::Esdirk34, 1e-4)]
         {
             let naive = impacts(&linear(method).with_flights(Flights::Naive), &case);
             assert_eq!((naive.ending, naive.impacts.len()), (truth.ending, truth.impacts.len()), "{method} {case:?}");
