@@ -1,60 +1,23 @@
-//! Impact events per second of each oracle, on one thread.
+//! Impact events per second of each oracle, and of batches on each instruction set, on one thread.
 //!
-//! The workload: 200 seeded cases with `a` in [1.005, 1.035], `ω` in [0.5, 8], `η` in [0.80, 0.95], 60 impacts each. Every answer is verified
-//! before it is timed: an oracle that disagrees with the closed form, or with a value from many digits, is not worth timing.
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
+//! Every answer is verified before it is timed: an oracle that disagrees with the tables of reference is not worth timing.
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing)]
+
+mod verified;
 
 use std::{hint::black_box, time::Duration};
 
 use asymptotic::{Asymptotic, Expansion, Resummed};
-use chattercheck::observables::Observed;
-use closed_form::ClosedForm;
-use contract::{Case, History, Normalisation, Oracle, Slenderness};
+use closed_form::{ClosedForm, batch::InstructionSet};
+use contract::{Case, History, Oracle};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use ode::{Equation, Method, Ode};
-use proptest::{
-    prelude::*,
-    strategy::ValueTree,
-    test_runner::{Config, RngAlgorithm, TestRng, TestRunner},
-};
+use taylor::Taylor;
 
-/// The chattering time of (1.03, 2, 0.92), from `printed` with 60 digits.
-const TAU_CH: f64 = 1.125_947_676_933_812_1;
-
-fn workload() -> Vec<Case> {
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[6; 32]);
-    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
-    let strategy = (1.005..1.035, 0.5..8.0, 0.80..0.95).prop_map(|(a, omega, eta)| {
-        let slenderness = Slenderness::new(0.1, Normalisation::Threshold).expect("in range");
-        Case::from_amplitude(a, omega, eta).expect("in range").with_slenderness(slenderness)
-    });
-    (0..200).map(|_| strategy.new_tree(&mut runner).expect("a case").current()).collect()
-}
-
-/// The impacts that the workload makes, after making sure that they are right to within `tolerance`, relative in the interval.
-fn verified(name: &str, run: &dyn Fn(&Case) -> Option<History>, cases: &[Case], tolerance: f64) -> u64 {
-    let reference = Case::from_amplitude(1.03, 2.0, 0.92).expect("in range").with_max_impacts(80).expect("in range");
-    let closed = Observed::new(&reference, ClosedForm.history(&reference).expect("a history"));
-    let time = closed.chattering_time.expect("complete").value;
-    assert!((time - TAU_CH).abs() < 1e-13, "the closed form itself is off by {:e}", time - TAU_CH);
-    let mut impacts = 0;
-    for case in cases {
-        let (exact, Some(found)) = (ClosedForm.history(case).expect("a history"), run(case)) else { continue };
-        assert_eq!(found.impacts.len(), exact.impacts.len(), "{name} has another number of impacts in {case:?}");
-        for (one, two) in exact.impacts.iter().zip(&found.impacts) {
-            let error = (two.interval / one.interval - 1.0).abs();
-            // An ill-conditioned case, for which the closed form itself claims less, is allowed as much more.
-            let allowed = tolerance * f64::max(1.0, one.uncertainty.interval / 1e-14);
-            assert!(error <= allowed, "{name} is off by {error:e} in {case:?}");
-        }
-        impacts += found.impacts.len() as u64;
-    }
-    assert!(impacts > 5_000, "{name} made {impacts} impacts only");
-    impacts
-}
+use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
 
 fn throughput(criterion: &mut Criterion) {
-    let cases = workload();
+    let cases = workload(200);
     let linear = |method: Method, rtol: f64| {
         let ode = Ode::new(Equation::Linear, method).with_rtol(rtol).expect("in range");
         move |case: &Case| ode.impacts(case).ok()
@@ -64,22 +27,62 @@ fn throughput(criterion: &mut Criterion) {
     type Run = Box<dyn Fn(&Case) -> Option<History>>;
     // The tolerance that the answer has to meet before it is timed: generous for methods of low order, and for the other model.
     let oracles: Vec<(&str, f64, Run)> = vec![
-        ("closed-form", 1e-13, Box::new(|case| ClosedForm.history(case).ok())),
+        ("closed-form", 1e-12, Box::new(|case| ClosedForm.history(case).ok())),
+        ("taylor", 1e-9, Box::new(|case| Taylor.history(case).ok())),
         ("ode/linear/tsit45 rtol=1e-10", 1e-6, Box::new(linear(Method::Tsit45, 1e-10))),
         ("ode/linear/bdf rtol=1e-9", 1e-4, Box::new(linear(Method::Bdf, 1e-9))),
         ("ode/linear/tr-bdf2 rtol=1e-8", 1e-2, Box::new(linear(Method::TrBdf2, 1e-8))),
         ("ode/linear/esdirk34 rtol=1e-10", 1e-4, Box::new(linear(Method::Esdirk34, 1e-10))),
-        ("ode/nonlinear/tsit45 rtol=1e-10", 1e-2, Box::new(move |case| nonlinear.impacts(case).ok())),
+        ("ode/nonlinear/tsit45 rtol=1e-10", 2e-2, Box::new(move |case| nonlinear.impacts(case).ok())),
         // The series is off by a multiple of epsilon: it is timed for what it is.
         ("asymptotic/paper", 1.0, Box::new(move |case| paper.history(case).ok())),
     ];
     let mut group = criterion.benchmark_group("impacts");
-    group.sample_size(10).measurement_time(Duration::from_secs(3)).warm_up_time(Duration::from_millis(500));
+    group.sample_size(10).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
     for (name, tolerance, run) in &oracles {
-        let impacts = verified(name, run.as_ref(), &cases, *tolerance);
-        group.throughput(Throughput::Elements(impacts));
+        verify_impacts(name, run.as_ref(), *tolerance);
+        let impacts: usize = cases.iter().filter_map(run).map(|history| history.impacts.len()).sum();
+        group.throughput(Throughput::Elements(impacts as u64));
         group.bench_function(*name, |bencher| {
             bencher.iter(|| cases.iter().map(|case| run(black_box(case))).for_each(|h| drop(black_box(h))))
+        });
+    }
+    let cases = workload(100_000);
+    let mut batched = Batched::new(&cases, IMPACTS);
+    let thread = one_thread();
+    for set in InstructionSet::available() {
+        Batched::verify(set, 1e-12);
+        let tally = batched.run(set);
+        group.throughput(Throughput::Elements(tally.impacts));
+        let name = format!("batch/{set:?}");
+        group.bench_function(name, |bencher| bencher.iter(|| thread.install(|| batched.run(set))));
+    }
+    group.finish();
+}
+
+/// The cost of one sequence against its depth: how many impacts are followed.
+fn depth(criterion: &mut Criterion) {
+    let case = Case::from_amplitude(1.03, 2.0, 0.92).expect("a case");
+    let tsit45 = Ode::new(Equation::Linear, Method::Tsit45).with_rtol(1e-10).expect("in range");
+    verify_impacts("closed-form", &|case| ClosedForm.history(case).ok(), 1e-12);
+    verify_impacts("ode", &|case| tsit45.impacts(case).ok(), 1e-6);
+    Batched::verify(InstructionSet::fastest(), 1e-12);
+    let thread = one_thread();
+    let mut group = criterion.benchmark_group("depth");
+    group.sample_size(10).measurement_time(Duration::from_millis(500)).warm_up_time(Duration::from_millis(200));
+    for impacts in [10, 40, 160, 640] {
+        let case = case.with_max_impacts(impacts).expect("in range");
+        group.throughput(Throughput::Elements(impacts as u64));
+        group.bench_function(format!("closed-form/{impacts}"), |bencher| {
+            bencher.iter(|| ClosedForm.history(black_box(&case)))
+        });
+        group.bench_function(format!("ode/{impacts}"), |bencher| bencher.iter(|| tsit45.impacts(black_box(&case))));
+        let cases = vec![case; 1024];
+        let mut batched = Batched::new(&cases, impacts);
+        group.throughput(Throughput::Elements((cases.len() * impacts) as u64));
+        let set = InstructionSet::fastest();
+        group.bench_function(format!("batch of 1024/{impacts}"), |bencher| {
+            bencher.iter(|| thread.install(|| batched.run(set)))
         });
     }
     group.finish();
@@ -88,6 +91,7 @@ fn throughput(criterion: &mut Criterion) {
 /// The series to any order: its coefficients once for each frequency and restitution, and then a value at each amplitude.
 fn series(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("series");
+    group.sample_size(20).measurement_time(Duration::from_secs(1)).warm_up_time(Duration::from_millis(300));
     for terms in [16, 40, 96] {
         let expansion = || Expansion::new(2.0, 0.92, terms, 0).expect("in range");
         let value = expansion().partial_sum(terms, 1.001 - 1.0);
@@ -107,5 +111,5 @@ fn series(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, throughput, series);
+criterion_group!(benches, throughput, depth, series);
 criterion_main!(benches);

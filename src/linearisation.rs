@@ -13,7 +13,7 @@
 //! rotation is small and the block only stiffer by `1/cos α`, the `c₂` of the powers of `μ` nearly vanish.)
 //!
 //! What is left is estimated, not bounded by proof: `c₂` and `c₃` are derived as `c₁` is, with the curvature of the response in them that grows
-//! without bound towards `a_cr`; what the terms after them add is calibrated ([`left`]).
+//! without bound towards `a_cr`; what the terms after them add is calibrated.
 
 mod corrected;
 mod threshold;

@@ -11,7 +11,8 @@ use serde_json::Value;
 /// What each crate under `oracles/` may depend on, at run time and at build time. To use something new, add it here with a reason.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("contract", &[]),
-    ("closed_form", &["contract"]),
+    // registers of an instruction set, found at run time and of the baseline; threads
+    ("closed_form", &["contract", "pulp", "rayon", "wide"]),
     // diffsol is the generic solver that this oracle is about
     ("ode", &["contract", "diffsol"]),
     // arithmetic with the digits of two doubles

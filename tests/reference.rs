@@ -49,6 +49,37 @@ fn the_closed_form_has_the_first_40_impacts_to_the_last_digit() {
     }
 }
 
+/// A batch has no claims; those of the oracle hold for it.
+#[test]
+fn a_batch_has_the_first_40_impacts_as_the_closed_form_has_them() {
+    use closed_form::batch::{Batch, InstructionSet, Rows, Sequence};
+    let rows: Vec<ImpactRow> = table("linear_impacts.csv");
+    let column = |of: fn(&ImpactRow) -> f64| rows.iter().map(of).collect::<Vec<_>>();
+    let (epsilon, omega, eta) = (column(|row| row.epsilon), column(|row| row.omega), column(|row| row.eta));
+    for set in InstructionSet::available() {
+        let mut time = vec![0.0; 40 * rows.len()];
+        let (mut interval, mut velocity) = (time.clone(), time.clone());
+        let mut sequences = vec![Sequence::default(); rows.len()];
+        let batch = Batch::new(&epsilon, &omega, &eta, 40).unwrap().with_instruction_set(set);
+        let answer =
+            Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
+        batch.run(answer).unwrap();
+        for (index, row) in rows.iter().enumerate() {
+            let history = oracle("closed-form").history(&case(row.epsilon, row.omega, row.eta, row.n)).unwrap();
+            let claims = history.impacts[row.n - 1].uncertainty;
+            let at = 40 * index + row.n - 1;
+            let off = |found: f64, decimal: &str| (found / value(decimal) - 1.0).abs();
+            let errors = [off(time[at], &row.tau), off(interval[at], &row.interval), off(velocity[at], &row.velocity)];
+            let own = 0.5 * f64::EPSILON;
+            assert!(errors[0] * time[at] <= claims.time + own * time[at], "{set:?} {row:?} {claims:?}");
+            assert!(
+                errors[1] <= claims.interval + own && errors[2] <= claims.velocity + own,
+                "{set:?} {row:?} {claims:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn every_oracle_claims_no_less_than_it_errs_in_the_chattering_time() {
     let rows: Vec<TimeRow> = table("linear_chattering_times.csv");

@@ -1,7 +1,5 @@
 //! Fig. 2: chattering into rest, with the first and the final cycles.
 
-use contract::Arrival;
-
 use super::{
     Error, Figure, half_period,
     history::{self, ETA, OMEGA, Row, lines, mark, response, rows, table},
@@ -19,39 +17,31 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 const A: f64 = 1.03;
-/// Followed to impacts too small to be seen in either detail.
-const DEEP: (&str, Termination) = ("φ", Termination::VelocityThreshold(1e-12));
+const EXACT: (&str, Termination) = ("φ", Termination::Exact);
 /// The first cycles end with this impact, the final ones begin with that.
 const FIRST: usize = 6;
 const FINAL: usize = 40;
 
 fn measure() -> Result<String, Error> {
-    let (deep, _) = response(A, DEEP.1)?;
-    let bout = deep.bouts.first().ok_or_else(|| missing("the chattering of Fig. 2"))?;
-    let impacts: Vec<f64> = bout
-        .flights
-        .iter()
-        .filter(|flight| matches!(flight.arrival, Arrival::Impact { .. }))
-        .map(|flight| flight.start + flight.duration)
-        .collect();
+    let (response, _) = response(A, EXACT.1)?;
+    let bout = response.bouts.first().ok_or_else(|| missing("the chattering of Fig. 2"))?;
+    let (impacts, rest): (Vec<f64>, f64) = (bout.impact_times().collect(), bout.end());
     let time = |n: usize| impacts.get(n - 1).copied().ok_or_else(|| missing(format!("impact {n}")));
     let marks = |part, from: usize, to: usize| {
         (from..=to).map(|n| Ok(mark(part, Some(n), time(n)?))).collect::<Result<Vec<Row>, Error>>()
     };
-    let (exact, _) = response(A, Termination::Exact)?;
-    let rest = exact.bouts.first().ok_or_else(|| missing("the rest of Fig. 2"))?.end();
     let after = rest + 0.05 * (rest - time(FINAL)?);
     table(vec![
-        rows("a", A, DEEP, (0.0, half_period(OMEGA)))?,
+        rows("a", A, EXACT, (0.0, half_period(OMEGA)))?,
         vec![mark("rest", None, rest)],
-        rows("b", A, DEEP, (0.0, time(FIRST)?))?,
+        rows("b", A, EXACT, (0.0, time(FIRST)?))?,
         marks("impacts b", 1, 4)?,
-        rows("c", A, DEEP, (time(FINAL)?, after))?,
+        rows("c", A, EXACT, (time(FINAL)?, after))?,
         marks("impacts c", FINAL + 1, FINAL + 4)?,
     ])
 }
 
-/// The upright lines at some times; those of impacts named after the first of them, if it has a name.
+/// The upright lines at the marked times of one part, each named by the number of its impact (NaN where the impacts accumulate).
 fn marks(table: &Table, part: &str, name: impl Fn(f64) -> String) -> Result<Vec<Mark>, chart::Error> {
     let rows = table.filter("part", part)?;
     let places = rows.numbers("tau")?.into_iter().zip(rows.numbers("n")?);

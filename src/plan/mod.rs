@@ -5,6 +5,7 @@
 //! where that is worse than asked the next one runs.
 
 pub mod estimate;
+pub mod evidence;
 pub mod map;
 mod method;
 mod run;

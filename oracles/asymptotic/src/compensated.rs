@@ -29,4 +29,20 @@ mod tests {
         }
         assert_eq!(sum.value(), 2.0);
     }
+
+    /// What is lost is found again on whichever side it was, and its own sum is exact while it has few digits.
+    #[test]
+    fn what_cancels_leaves_what_was_lost() {
+        for (terms, expected) in [
+            (&[1.0, 1e-20, -1.0][..], 1e-20),
+            (&[1e-20, 1.0, -1.0], 1e-20),
+            (&[1e-20, 1.0, 1e-20, 4.0, -1.0, -4.0], 2e-20),
+            (&[-3.0, 1e-18, -1e-18, 3.0], 0.0),
+            (&[1e16, 1.0, 1.0, 1.0, -1e16], 3.0),
+        ] {
+            let mut sum = Compensated::default();
+            terms.iter().for_each(|&term| sum.add(term));
+            assert_eq!(sum.value(), expected, "{terms:?}");
+        }
+    }
 }

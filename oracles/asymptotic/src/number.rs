@@ -124,4 +124,21 @@ mod tests {
         let tenth = real::<TwoFloat>(1.0).over(real(10.0));
         assert!((tenth.logarithm() + twofloat::consts::LN_10).hi().abs() < 1e-29);
     }
+
+    #[test]
+    fn a_product_is_added_with_the_digits_of_two_doubles() {
+        let number = |value: f64, rest: f64| TwoFloat::new_add(value, value * rest * 1e-17);
+        for (a, b, c) in [(0.7, 1.3, -2.1), (-5.0, 1e-3, 7.0), (1e10, 3.0, 0.1), (1e-10, 3.0, 0.1)] {
+            let (a, b, c) = (number(a, 3.0), number(b, -4.0), number(c, 5.0));
+            let error = a.plus_product(b, c) - (a + b * c);
+            let size = a.hi().abs().max((b * c).hi().abs());
+            assert!(error.hi().abs() < 1e-31 * size, "{a} + {b} {c}: {error}");
+        }
+    }
+
+    #[test]
+    fn doubles_do_what_their_own_operators_do() {
+        assert_eq!((6.0_f64.over(1.5), 2.0_f64.root(), 10.0_f64.logarithm()), (4.0, 2_f64.sqrt(), 10_f64.ln()));
+        assert_eq!((1.0_f64.plus_product(2.0, 3.5), 0.25_f64.rounded()), (8.0, 0.25));
+    }
 }

@@ -86,3 +86,65 @@ pub fn ratios(coefficients: &[Coefficient], exponent: f64) -> Vec<Ratio> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use twofloat::TwoFloat;
+
+    use super::*;
+
+    /// The bounce itself: the velocity before it over the square of the time left, and the next one, for a flight `x` of the time left.
+    fn before_and_after(eta: f64, x: f64) -> (f64, f64) {
+        (x / 2.0 - x * x / 6.0, eta * eta * (x / 2.0 - x * x / 3.0) / (1.0 - x).powi(2))
+    }
+
+    #[test]
+    fn the_exponent_is_that_of_the_bounce_and_its_growing_deviation() {
+        for eta in [1e-3, 0.1, 0.5, 0.92, 0.999] {
+            let x: f64 = repeating_flight(eta);
+            let (before, after) = before_and_after(eta, x);
+            assert!(x > 0.0 && x < 1.0 && (after / before - 1.0).abs() < 1e-9, "{eta}: {x}");
+            // Central differences.
+            let h = 1e-5 * (1.0 - x).min(x);
+            let ((b0, a0), (b1, a1)) = (before_and_after(eta, x - h), before_and_after(eta, x + h));
+            let growth = (a1 - a0) / (b1 - b0);
+            let found = approach(eta);
+            assert!((found.log_period / growth.ln() - 1.0).abs() < 1e-7, "{eta}: {found:?}");
+            assert!((found.exponent / (-(1.0 - x).ln() / growth.ln()) - 1.0).abs() < 1e-7, "{eta}: {found:?}");
+            let (exponent, log_period) = precise_approach::<TwoFloat>(eta);
+            let digits = 1e-14 / (x * (1.0 - x).powi(2));
+            assert!((exponent.rounded() / found.exponent - 1.0).abs() < digits, "{eta}: {exponent} {found:?}");
+            assert!((log_period.rounded() / found.log_period - 1.0).abs() < digits, "{eta}: {log_period} {found:?}");
+        }
+        assert!((approach(1.0 - 1e-9).exponent - 0.6).abs() < 1e-7);
+    }
+
+    /// The root is that of `(1-x)² (3-x) = η² (3-2x)` to the last digits of two doubles, also where it is small.
+    #[test]
+    fn the_flight_that_repeats_itself_is_found_to_all_digits() {
+        for eta in [0.01, 0.5, 0.92, 1.0 - 1e-12] {
+            let x: TwoFloat = repeating_flight(eta);
+            let [one, two, three] = [1.0, 2.0, 3.0].map(real::<TwoFloat>);
+            let square: TwoFloat = real::<TwoFloat>(eta) * eta;
+            let residual: TwoFloat = (one - x) * (one - x) * (three - x) - square * (three - two * x);
+            assert!(residual.hi().abs() < 1e-30, "{eta}: {residual}");
+        }
+    }
+
+    #[test]
+    fn the_ratios_of_a_pure_power_give_its_singularity() {
+        let (exponent, critical) = (0.6, 0.04);
+        let mut coefficients = vec![Coefficient { value: 2.0, error: 0.0 }];
+        for k in 1..12 {
+            let last = coefficients[coefficients.len() - 1].value;
+            let value = last * (f64::from(k) - 1.0 - exponent) / (f64::from(k) * critical);
+            coefficients.push(Coefficient { value, error: 0.0 });
+        }
+        let found = ratios(&coefficients, exponent);
+        assert_eq!(found.iter().map(|ratio| ratio.k).collect::<Vec<_>>(), (1..12).collect::<Vec<_>>());
+        for Ratio { k, ratio, biased } in found {
+            assert!((biased / critical - 1.0).abs() < 1e-14, "{k}: {biased}");
+            assert_eq!(ratio, coefficients[k].value / coefficients[k - 1].value);
+        }
+    }
+}

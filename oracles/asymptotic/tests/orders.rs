@@ -5,7 +5,7 @@
 mod exact;
 
 use asymptotic::{Asymptotic, Expansion, Order, coefficients};
-use contract::{Case, Ending, Oracle};
+use contract::{Case, Decline, Ending, Oracle};
 
 fn of_order(terms: usize) -> Asymptotic {
     Asymptotic::new().with_order(Order::Terms(terms)).unwrap()
@@ -33,6 +33,8 @@ fn coefficients_begin_with_the_papers_and_are_positive_and_precise() {
         for coefficient in all {
             assert!(coefficient.value > 0.0, "{omega} {eta} {coefficient:?}");
             assert!(coefficient.error < 1.4e-16 * coefficient.value, "{omega} {eta} {coefficient:?}");
+            // Rounding to a double may take half of the last place.
+            assert!(coefficient.error >= 0.5 * f64::EPSILON * coefficient.value, "{omega} {eta} {coefficient:?}");
         }
     }
 }
@@ -195,4 +197,65 @@ fn the_claims_cover_the_errors_of_impacts() {
     }
     println!("{answered} answered");
     assert!(answered > 400 && ratios[0].0 < 1.0, "{answered} answered, {:?}", ratios[0]);
+}
+
+#[test]
+fn an_expansion_is_made_within_its_ranges_and_knows_them() {
+    for (omega, eta, terms) in [(0.05, 0.01, 1), (1000.0, 0.3, 2), (2.0, 0.99, 1), (2.0, 0.02, 96)] {
+        let expansion = Expansion::new(omega, eta, terms, 0).unwrap();
+        assert_eq!((expansion.omega(), expansion.eta(), expansion.coefficients().len()), (omega, eta, terms));
+    }
+    for (omega, eta, terms, field) in [
+        (0.0499, 0.5, 4, "omega"),
+        (1001.0, 0.5, 4, "omega"),
+        (2.0, 0.0099, 4, "eta"),
+        (2.0, 0.991, 4, "eta"),
+        (2.0, 0.5, 0, "order"),
+        (2.0, 0.5, 97, "order"),
+    ] {
+        let declined = Expansion::new(omega, eta, terms, 0).map(|_| ());
+        assert!(matches!(declined, Err(Decline::OutOfRange { field: of, .. }) if of == field), "{declined:?}");
+    }
+}
+
+#[test]
+fn a_shorter_expansion_is_the_beginning_of_the_longer() {
+    let whole = Expansion::new(1.7, 0.6, 9, 4).unwrap();
+    assert_eq!(whole.impacts(5, 1e-3).count(), 4);
+    for terms in [4, 9, 20] {
+        let short = whole.shortened(terms);
+        assert_eq!(short.coefficients(), &whole.coefficients()[..terms.min(9)]);
+        assert_eq!((short.omega(), short.eta(), short.impacts(3, 1e-3).count()), (1.7, 0.6, 0));
+        assert_eq!(short.partial_sum(3, 0.01), whole.partial_sum(3, 0.01));
+    }
+    // c₀ ε^(1/2)/ω + c₁ ε^(3/2)/ω + ...
+    for order in 0..=9 {
+        let terms = (0..order).map(|k| whole.coefficients()[k].value * 0.01_f64.powf(0.5 + k as f64) / 1.7);
+        let sum: f64 = terms.sum();
+        assert!((whole.partial_sum(order, 0.01) - sum).abs() <= 4e-16 * sum, "{order}");
+        if let Some(estimate) = whole.chattering_time(order, 0.01) {
+            assert!((estimate.value - sum).abs() <= 4e-16 * sum);
+        }
+    }
+}
+
+/// What it found is told in the reason, and from which `ε` on it is asked at all.
+#[test]
+fn a_decline_says_what_was_found() {
+    let case = |epsilon: f64| Case::from_epsilon(epsilon, 2.0, 0.92).unwrap();
+    let expansion = Expansion::new(2.0, 0.92, 12, 0).unwrap();
+    for epsilon in [0.02, 0.03] {
+        let why = of_order(8).with_tolerance(1e-9).unwrap().history(&case(epsilon)).unwrap_err().to_string();
+        let found = expansion.chattering_time(8, epsilon).unwrap();
+        let share = found.value / std::f64::consts::FRAC_PI_2;
+        let expected =
+            format!("tau_ch = {share:.4} T/2 with a relative error of up to {:.2e}", found.uncertainty / found.value);
+        assert!(why.contains(&expected), "{why} is not {expected}");
+        // It answers to the tolerance that it has.
+        let exactly = found.uncertainty / found.value;
+        assert!(of_order(8).with_tolerance(1.001 * exactly).unwrap().history(&case(epsilon)).is_ok());
+        assert!(of_order(8).with_tolerance(0.999 * exactly).unwrap().history(&case(epsilon)).is_err());
+    }
+    assert!(of_order(8).history(&case(1e-60)).is_ok() && of_order(8).history(&case(0.99e-60)).is_err());
+    assert!(of_order(92).with_tolerance(0.5).is_ok() && of_order(1).name() == "asymptotic/order-1");
 }

@@ -7,7 +7,7 @@ mod exact;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use asymptotic::{Asymptotic, coefficients};
-use contract::{Case, Ending, Horizon, Limit, Oracle};
+use contract::{Case, Decline, Ending, Horizon, Limit, Loss, Oracle};
 
 /// Computed with mpmath in 40 digits, from Eqs 62, 58 and 64.
 #[test]
@@ -120,4 +120,63 @@ fn it_declines_or_answers_but_does_not_panic_at_the_corners() {
             }
         }
     }
+}
+
+#[test]
+fn the_last_impact_of_a_history_is_at_its_horizon_or_before() {
+    let case = Case::from_amplitude(1.02, 2.0, 0.92).unwrap();
+    let whole = Asymptotic::new().history(&case).unwrap();
+    for (n, impact) in whole.impacts.iter().enumerate().take(30).skip(1) {
+        for (until, listed) in [(impact.time.next_down(), n), (impact.time, n + 1)] {
+            let history = Asymptotic::new().history(&case.with_horizon(Horizon::Until(until)).unwrap()).unwrap();
+            assert_eq!((history.impacts.len(), history.ending), (listed, Ending::LimitReached(Limit::Time)));
+        }
+    }
+    let tau_ch = whole.chattering_time.unwrap().value;
+    for (until, ending) in [(tau_ch, Ending::AtRest), (tau_ch.next_down(), Ending::LimitReached(Limit::Time))] {
+        let early = case.with_horizon(Horizon::Until(until)).unwrap().with_max_impacts(3).unwrap();
+        assert_eq!(Asymptotic::new().history(&early).unwrap().ending, ending);
+    }
+}
+
+/// Impacts whose numbers leave the range of normal doubles are not listed.
+#[test]
+fn what_has_lost_its_digits_to_underflow_is_lost() {
+    for (epsilon, eta) in [(1e-3, 0.01), (1e-50, 0.5), (1e-20, 0.05)] {
+        let case = Case::from_epsilon(epsilon, 2.0, eta).unwrap().with_max_impacts(3000).unwrap();
+        let history = Asymptotic::new().history(&case).unwrap();
+        assert_eq!(history.ending, Ending::Lost(Loss::NotFinite));
+        assert!(history.impacts.iter().all(|impact| impact.interval.is_normal() && impact.velocity.is_normal()));
+        assert!(history.impacts.last().unwrap().velocity.abs() < 1e-300);
+    }
+}
+
+#[test]
+fn the_papers_order_is_offered_as_far_as_its_claims_were_calibrated() {
+    let of = |epsilon, omega, eta| {
+        let history = Asymptotic::new().history(&Case::from_epsilon(epsilon, omega, eta).unwrap());
+        history.map(|_| ()).map_err(|decline| match decline {
+            Decline::OutOfRange { field, .. } => field,
+            _ => "none",
+        })
+    };
+    for (epsilon, omega, eta) in
+        [(1e-60, 2.0, 0.9), (1e-8, 1e-3, 0.9), (1e-8, 1e6, 0.9), (1e-8, 2.0, 1e-3), (1e-8, 2.0, 0.995)]
+    {
+        assert_eq!(of(epsilon, omega, eta), Ok(()), "{epsilon} {omega} {eta}");
+    }
+    for (epsilon, omega, eta, field) in [
+        (0.99e-60, 2.0, 0.9, "epsilon"),
+        (1e-8, 0.99e-3, 0.9, "omega"),
+        (1e-8, 1.01e6, 0.9, "omega"),
+        (1e-8, 2.0, 0.99e-3, "eta"),
+        (1e-8, 2.0, 0.9951, "eta"),
+    ] {
+        assert_eq!(of(epsilon, omega, eta), Err(field), "{epsilon} {omega} {eta}");
+    }
+    // The reason tells what Eq. 65 gives, and what it claims.
+    let (epsilon, omega, eta) = (0.05, 2.0, 0.92);
+    let why = Asymptotic::new().history(&Case::from_epsilon(epsilon, omega, eta).unwrap()).unwrap_err().to_string();
+    let share = coefficients(eta).unwrap().chattering_time(epsilon, omega) / FRAC_PI_2;
+    assert!(why.contains(&format!("tau_ch = {share:.4} T/2")), "{why}");
 }

@@ -10,6 +10,7 @@
 //! the slenderness, which carry what the linear model leaves out.
 #![cfg_attr(test, allow(clippy::indexing_slicing))]
 
+pub mod batch;
 mod dual;
 mod error;
 mod flight;

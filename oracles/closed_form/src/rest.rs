@@ -16,10 +16,10 @@ pub(crate) struct ProofOfRest {
 }
 
 /// `x`.
-const SHARE: f64 = 0.4;
+pub(crate) const SHARE: f64 = 0.4;
 
 /// `exp(x/(2(1 - x))) = exp(1/3)`, rounded up.
-const GROWTH: f64 = 1.396;
+pub(crate) const GROWTH: f64 = 1.396;
 
 impl ProofOfRest {
     pub fn new(excitation: &Excitation, eta: f64) -> Self {

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Below this speed the next intervals would leave the range of a double; there is nothing left to resolve.
-const SLOWEST: f64 = 1e-280;
+pub(crate) const SLOWEST: f64 = 1e-280;
 
 /// What is shown every flight that ends in an impact of the list.
 pub(crate) trait Follower {

@@ -1,8 +1,8 @@
 //! Whatever is asked ends, in an answer or a decline.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
-use contract::{Case, Decline, Ending, Horizon, Limit, Model, Normalisation, Slenderness};
-use enclosure::{Enclosed, Enclosure};
+use contract::{Case, Decline, Ending, Horizon, Limit, Model, Normalisation, Oracle, Slenderness};
+use enclosure::{Bounds, Enclosed, Enclosure};
 
 fn case(epsilon: f64, omega: f64, eta: f64) -> Case {
     Case::from_epsilon(epsilon, omega, eta).unwrap()
@@ -67,5 +67,45 @@ fn what_is_out_of_range_is_declined() {
     assert!(linear.with_digits(0).is_err() && linear.with_digits(Enclosure::MOST_DIGITS + 1).is_err());
     for still in [-1.0, -0.5, 0.0] {
         assert_eq!(linear.enclose(&case(still, 2.0, 0.9)).unwrap().ending, Ending::NeverRocks);
+    }
+}
+
+#[test]
+fn it_tells_what_it_is_and_how_many_digits_it_has() {
+    for (model, name) in [(Model::Linear, "enclosure/linear"), (Model::Nonlinear, "enclosure/nonlinear")] {
+        let oracle = Enclosure::new(model);
+        assert_eq!((oracle.name(), oracle.model(), oracle.digits()), (name, model, 17));
+    }
+    for digits in [1_u32, 12, 13, 30, 100] {
+        let oracle = Enclosure::new(Model::Linear).with_digits(digits).unwrap();
+        let enclosed = oracle.enclose(&case(0.01, 2.0, 0.5).with_max_impacts(3).unwrap()).unwrap();
+        // log2(10) = 3.32 bits each; up to twelve digits doubles are tried first.
+        let least = if digits > 12 { 3.32 * f64::from(digits) + 12.0 } else { 53.0 };
+        assert!(oracle.digits() == digits && f64::from(enclosed.bits) >= least, "{digits}: {} bits", enclosed.bits);
+        assert!(f64::from(enclosed.bits) < 2.0 * least + 64.0, "{digits}: {} bits", enclosed.bits);
+    }
+}
+
+/// The middle of each interval and half its width, and no more than that and the rounding to doubles.
+#[test]
+fn a_history_claims_what_is_proven() {
+    for digits in [5_u32, 12, 17] {
+        let enclosed =
+            Enclosure::new(Model::Linear).with_digits(digits).unwrap().enclose(&case(0.03, 2.0, 0.92)).unwrap();
+        let history = enclosed.history();
+        let check = |bounds: &Bounds, value: f64, claim: f64| {
+            assert!(value - claim <= bounds.lower() && bounds.upper() <= value + claim, "{bounds:?}: {value} {claim}");
+            let half = 0.5 * (bounds.upper() - bounds.lower());
+            assert!(claim <= 1.01 * half + 4.0 * f64::EPSILON * value.abs(), "{bounds:?}: {value} {claim}");
+        };
+        assert_eq!((history.impacts.len(), history.ending), (enclosed.impacts.len(), enclosed.ending));
+        for (impact, bounds) in history.impacts.iter().zip(&enclosed.impacts) {
+            let claim = impact.uncertainty;
+            check(&bounds.time, impact.time, claim.time);
+            check(&bounds.interval, impact.interval, claim.interval * impact.interval);
+            check(&bounds.velocity, impact.velocity, claim.velocity * impact.velocity.abs());
+        }
+        let (estimate, bounds) = (history.chattering_time.unwrap(), enclosed.chattering_time.unwrap());
+        check(&bounds, estimate.value, estimate.uncertainty);
     }
 }

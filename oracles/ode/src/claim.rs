@@ -157,4 +157,93 @@ mod tests {
         let found = claims(&[1.0, 0.5], &[1.0, 0.5, 0.25], (Ending::Incomplete, FULL));
         assert!(matches!(found[..], [a, b] if a < 1e-9 && b.is_infinite()), "{found:?}");
     }
+
+    /// Time, interval and velocity of each impact, off by a part of themselves.
+    fn off(history: &History, by: [f64; 3]) -> History {
+        let mut other = history.clone();
+        for impact in &mut other.impacts {
+            impact.time /= 1.0 + by[0];
+            impact.interval /= 1.0 + by[1];
+            impact.velocity /= 1.0 + by[2];
+        }
+        other
+    }
+
+    /// What is claimed of `count` impacts of which both coarser runs are off by so much.
+    fn claimed(ode: &Ode, count: usize, coarse: [f64; 3], coarser: [f64; 3]) -> Vec<Impact> {
+        let mut fine = history(&vec![0.25; count], FULL);
+        let others = [coarse, coarser].map(|by| off(&fine, by));
+        claim(ode, &mut fine, &others[0], &others[1]);
+        fine.impacts
+    }
+
+    fn is_near(a: f64, b: f64) -> bool {
+        (a / b - 1.0).abs() < 1e-9
+    }
+
+    #[test]
+    fn coarse_runs_are_ten_and_a_hundred_times_as_coarse_but_never_in_the_rounding() {
+        let near =
+            |found: [f64; 2], expected: [f64; 2]| is_near(found[0], expected[0]) && is_near(found[1], expected[1]);
+        assert!(near(tolerances(1e-9), [1e-8, 1e-7]) && near(tolerances(1e-13), [1e-11, 1e-10]));
+    }
+
+    #[test]
+    fn a_claim_is_made_of_both_differences() {
+        for method in Method::ALL {
+            let Calibration { safety: [much, little], .. } = Calibration::of(method);
+            let ode = Ode::new(Equation::Linear, method);
+            // The larger of interval and velocity counts for both.
+            for (near, far) in [([3e-3, 1e-3, 2e-3], [6e-3, 5e-3, 1e-3]), ([1e-3, -2e-3, -1e-3], [-6e-3, 1e-3, -5e-3])]
+            {
+                for impact in claimed(&ode, 3, near, far) {
+                    let claim = impact.uncertainty;
+                    let (time, shape) = (much * near[0].abs() + little * 6e-3, much * 2e-3 + little * 5e-3);
+                    assert!((claim.time / impact.time / time - 1.0).abs() < 1e-3, "{claim:?}");
+                    assert!(
+                        (claim.interval / shape - 1.0).abs() < 1e-3 && claim.velocity == claim.interval,
+                        "{claim:?}"
+                    );
+                }
+            }
+            // The coarser run is another sequence: three times as much is claimed of the coarse one. Both are: nothing is known.
+            let [impact, ..] = claimed(&ode, 1, [1e-3; 3], [0.06; 3])[..] else { panic!("no impact") };
+            assert!((impact.uncertainty.interval / (3.0 * much * 1e-3) - 1.0).abs() < 1e-3);
+            let [impact, ..] = claimed(&ode, 1, [0.06; 3], [0.06; 3])[..] else { panic!("no impact") };
+            assert!(impact.uncertainty.interval.is_infinite() && impact.uncertainty.time.is_infinite());
+            // As wide as that it is a guess.
+            let [impact, ..] = claimed(&ode, 1, [0.049 / much; 3], [0.049; 3])[..] else { panic!("no impact") };
+            assert!(impact.uncertainty.interval.is_infinite());
+        }
+    }
+
+    #[test]
+    fn at_least_the_tolerance_is_claimed_and_more_after_many_flights() {
+        for method in Method::ALL {
+            let ode = Ode::new(Equation::Linear, method);
+            let least = Calibration::of(method).floor * ode.rtol();
+            for (flights, impact) in (1_u32..).zip(claimed(&ode, 200, [0.0; 3], [0.0; 3])) {
+                let expected = least * (1.0 + f64::from(flights) / 100.0) + 2e-14;
+                assert!(is_near(impact.uncertainty.interval, expected), "{method} {flights}");
+                assert!(is_near(impact.uncertainty.time, expected * impact.time), "{method} {flights}");
+            }
+        }
+    }
+
+    /// The width of a root on the clock that shows `t` is `t` times that at 1, and each flight keeps those of all before it.
+    #[test]
+    fn on_the_global_clock_roots_are_as_wide_as_the_clock_is_late() {
+        let ode = Ode::new(Equation::Linear, Method::Tsit45);
+        let rescaled = claimed(&ode, 5, [0.0; 3], [0.0; 3]);
+        let naive = claimed(&ode.with_flights(Flights::Naive), 5, [0.0; 3], [0.0; 3]);
+        let mut roots = 0.0;
+        for (n, (naive, rescaled)) in (1_u32..).zip(naive.iter().zip(&rescaled)) {
+            // All intervals are the same here: the clock shows n of them.
+            roots += 200.0 * f64::EPSILON * f64::from(n);
+            let more = naive.uncertainty.interval - rescaled.uncertainty.interval;
+            assert!((more / roots - 1.0).abs() < 1e-9, "{n}: {more:e} {roots:e}");
+            let more = (naive.uncertainty.time - rescaled.uncertainty.time) / naive.time;
+            assert!((more / (200.0 * f64::EPSILON) - 1.0).abs() < 1e-9, "{n}: {more:e}");
+        }
+    }
 }

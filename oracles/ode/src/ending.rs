@@ -50,3 +50,92 @@ impl Motion {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use contract::{Case, Normalisation, Slenderness};
+
+    use super::*;
+    use crate::Equation;
+
+    fn motion(omega: f64, alpha: Option<f64>) -> Motion {
+        let case = Case::from_epsilon(0.25, omega, 0.9).unwrap_or_else(|e| panic!("{e}"));
+        let block = Slenderness::new(alpha.unwrap_or(0.1), Normalisation::Threshold).unwrap_or_else(|e| panic!("{e}"));
+        let equation = if alpha.is_some() { Equation::Nonlinear } else { Equation::Linear };
+        Motion::new(&case.with_slenderness(block), equation).unwrap_or(None).unwrap_or_else(|| panic!("it rocks"))
+    }
+
+    /// When the excitation has come down to `f`.
+    fn time_at(f: f64, omega: f64) -> f64 {
+        (core::f64::consts::PI - (f / 1.25_f64).asin() - 0.8_f64.asin()) / omega
+    }
+
+    /// `1.4 (sum of the flights) <= 0.6 r`, `r = 0.4 g_min/L`, where `L` is `omega a` of a fast excitation and twice the sensitivity times the speed
+    /// under one that hardly changes.
+    #[test]
+    fn rest_is_certain_up_to_the_speed_at_which_the_flights_fill_the_window() {
+        for alpha in [None, Some(0.2), Some(0.9)] {
+            for f in [0.0, 0.5, -0.7] {
+                for eta in [0.3, 0.92] {
+                    let (least, most) = (1.0 - f64::abs(f), 1.0 + f64::abs(f));
+                    let flights =
+                        |motion: &Motion| 2.0 / motion.gain() * (1.0 / least + eta / most) / (1.0 - eta * eta);
+                    let (fast, slow) = (motion(1e6, alpha), motion(1e-6, alpha));
+                    let at_most = 0.6 * 0.4 * least / (1.4 * 1.25e6 * flights(&fast));
+                    let tau = time_at(f, 1e6);
+                    assert!(
+                        fast.comes_to_rest(eta, tau, 0.99 * at_most) && !fast.comes_to_rest(eta, tau, 1.01 * at_most)
+                    );
+                    let at_most = (0.6 * 0.4 * least / (1.4 * 2.0 * slow.sensitivity() * flights(&slow))).sqrt();
+                    let tau = time_at(f, 1e-6);
+                    assert!(
+                        slow.comes_to_rest(eta, tau, 0.99 * at_most) && !slow.comes_to_rest(eta, tau, 1.01 * at_most)
+                    );
+                }
+            }
+        }
+        // Past the threshold on either side nothing rests.
+        for f in [1.1, -1.1] {
+            assert!(!motion(1e-6, None).comes_to_rest(0.5, time_at(f, 1e-6), 1e-12));
+        }
+    }
+
+    /// The acceleration over the gain changes no faster with the rotation than that, for `|g| <= 2`.
+    #[test]
+    fn the_sensitivity_bounds_the_slope_of_the_acceleration() {
+        assert_eq!(motion(1.0, None).sensitivity(), 1.0);
+        for alpha in [0.05, 0.3, 0.8, 1.3_f64] {
+            let motion = motion(1.0, Some(alpha));
+            let bound = motion.sensitivity();
+            let mut largest = 0.0_f64;
+            for g in -20..=20 {
+                for u in 0..=40 {
+                    for i in [1.0, -1.0] {
+                        let slope = motion.stiffness(i, 0.1 * f64::from(g), i * 0.05 * f64::from(u)) / motion.gain();
+                        largest = largest.max(slope.abs());
+                    }
+                }
+            }
+            assert!(largest <= bound && bound < 3.0 * largest, "{alpha}: {largest} {bound}");
+            // alpha/(sin cos) = 2 alpha/sin(2 alpha)
+            let terms = 2.0 * alpha * (1.0 + alpha.tan()) + 2.0 * alpha / (2.0 * alpha).sin();
+            assert!((bound / terms - 1.0).abs() < 1e-13, "{alpha}: {bound} {terms}");
+        }
+    }
+
+    #[test]
+    fn past_the_point_of_no_return_is_where_the_excitation_cannot_bring_it_back() {
+        let slender = motion(1.0, None);
+        for u in [0.5, 1.0, 2.0] {
+            assert!(slender.is_past_return(u, 2.26 - u) && !slender.is_past_return(u, 2.24 - u), "{u}");
+        }
+        for alpha in [0.2, 0.6_f64] {
+            let block = motion(1.0, Some(alpha));
+            let balance = 1.0 + (1.25 * alpha.tan()).atan() / alpha;
+            for du in [0.0, 3.0] {
+                assert!(block.is_past_return(1.001 * balance, du) && !block.is_past_return(0.999 * balance, du));
+            }
+            assert!(!block.is_past_return(1.5 * balance, -0.01));
+        }
+    }
+}

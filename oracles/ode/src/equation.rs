@@ -242,4 +242,55 @@ mod tests {
         let below = case(1.01, 2.0).with_slenderness(slender(0.2, Normalisation::Slender));
         assert!(matches!(Motion::new(&below, Equation::Nonlinear), Ok(None)));
     }
+
+    #[test]
+    fn the_derivatives_of_the_excitation_are_those_of_its_values() {
+        for (omega, tau) in [(0.7, 0.3), (2.0, 0.0), (5.0, 1.1)] {
+            let motion = motion(&case(1.3, omega), Equation::Linear);
+            assert!((motion.half_period() * omega / core::f64::consts::PI - 1.0).abs() < 1e-15);
+            for i in [1.0, -1.0] {
+                let forcing = motion.forcing(i, tau);
+                let (slope, curvature) = forcing.derivatives();
+                let h = 1e-4;
+                let (before, at, after) = (forcing.at(-h), forcing.at(0.0), forcing.at(h));
+                assert!(((after - before) / (2.0 * h) - slope).abs() < 1e-6 * omega.powi(3), "{omega} {tau}");
+                assert!(
+                    ((after - 2.0 * at + before) / (h * h) - curvature).abs() < 1e-5 * omega.powi(4),
+                    "{omega} {tau}"
+                );
+                assert_eq!(at, motion.excess(i, tau));
+            }
+        }
+    }
+
+    #[test]
+    fn the_gain_is_the_acceleration_that_the_excess_makes_on_the_base() {
+        let block = |alpha| {
+            motion(&case(1.3, 1.7).with_slenderness(slender(alpha, Normalisation::Threshold)), Equation::Nonlinear)
+        };
+        for motion in [motion(&case(1.3, 1.7), Equation::Linear), block(0.2), block(1.1)] {
+            for g in [-0.4, 0.1, 2.0] {
+                for i in [1.0, -1.0] {
+                    assert!((motion.acceleration(i, g, 0.0) + motion.gain() * g).abs() < 1e-15, "{g} {i}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_integrated_has_its_limits() {
+        let of = |epsilon: f64, omega: f64| {
+            let case = Case::from_epsilon(epsilon, omega, 0.9).unwrap_or_else(|e| panic!("{e}"));
+            Motion::new(&case, Equation::Linear).map(|motion| motion.is_some())
+        };
+        for (epsilon, omega) in [(1e-60, 2.0), (0.03, 1e-6), (0.03, 1e6), (1e9, 2.0)] {
+            assert_eq!(of(epsilon, omega), Ok(true), "{epsilon} {omega}");
+        }
+        assert_eq!((of(0.0, 2.0), of(-0.5, 1e-9)), (Ok(false), Ok(false)));
+        for (epsilon, omega, expected) in
+            [(0.99e-60, 2.0, "epsilon"), (0.03, 0.99e-6, "omega"), (0.03, 1.01e6, "omega")]
+        {
+            assert!(matches!(of(epsilon, omega), Err(Decline::OutOfRange { field, .. }) if field == expected));
+        }
+    }
 }

@@ -202,3 +202,122 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescale
         Outcome::Ended(Ending::Lost(Loss::SolverFailed))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use contract::{Case, Normalisation, Slenderness};
+
+    use super::*;
+    use crate::Equation;
+
+    fn motions(epsilon: f64, omega: f64) -> [Motion; 2] {
+        let block = Slenderness::new(0.4, Normalisation::Threshold).unwrap_or_else(|e| panic!("{e}"));
+        let case = Case::from_epsilon(epsilon, omega, 0.9).unwrap_or_else(|e| panic!("{e}")).with_slenderness(block);
+        [Equation::Linear, Equation::Nonlinear]
+            .map(|equation| Motion::new(&case, equation).unwrap_or(None).unwrap_or_else(|| panic!("it rocks")))
+    }
+
+    fn is_near(a: f64, b: f64) -> bool {
+        (a / b - 1.0).abs() < 1e-12
+    }
+
+    /// `2 |v|/|phi''|` and half of that times the speed, where nothing changes in so short a time.
+    #[test]
+    fn a_short_flight_has_the_units_of_its_parabola() {
+        for motion in motions(0.03, 2.0) {
+            for (i, tau) in [(1.0, 0.5), (-1.0, 0.8)] {
+                for speed in [1e-6, 1e-40, 1e-130] {
+                    let scaled = Scaled::new(&motion, &Launch { i, tau, velocity: i * speed });
+                    let acceleration = motion.gain() * motion.excess(i, tau).abs();
+                    assert!((scaled.time / (2.0 * speed / acceleration) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
+                    assert!((scaled.rotation / (speed * scaled.time) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
+                    assert!((scaled.start_velocity - i).abs() < 1e-4, "{i} {speed}: {scaled:?}");
+                }
+            }
+        }
+    }
+
+    /// Jerk and snap alone: `4 sqrt(eps (2 + eps))/omega`; and where that is long, the time in which the excitation or the balance changes things.
+    #[test]
+    fn the_first_flight_has_the_units_of_its_jerk() {
+        let first = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+        for [linear, nonlinear] in [motions(1e-4, 0.5), motions(1e-6, 1.0)] {
+            let [linear, nonlinear] = [linear, nonlinear].map(|motion| Scaled::new(&motion, &first));
+            let epsilon = linear.motion.a - 1.0;
+            let expected = 4.0 * (epsilon * (2.0 + epsilon)).sqrt() / linear.motion.omega;
+            assert!((linear.time / expected - 1.0).abs() < 1e-9, "{linear:?}");
+            assert!(is_near(nonlinear.time, linear.time) && linear.start_velocity == 0.0);
+            // c_3 T^3 = c_4 T^4
+            let jerk = linear.motion.forcing(-1.0, 0.0).derivatives().0;
+            assert!((linear.rotation / (jerk / 6.0 * linear.time.powi(3)) - 1.0).abs() < 1e-9, "{linear:?}");
+        }
+        for (epsilon, omega, longest) in [(0.8, 5.0, 0.2), (0.8, 0.3, 1.0)] {
+            let [linear, nonlinear] = motions(epsilon, omega).map(|motion| Scaled::new(&motion, &first));
+            assert!(is_near(linear.time, longest) && is_near(nonlinear.time, longest));
+        }
+    }
+
+    #[test]
+    fn the_equation_in_units_of_the_flight_is_that_of_the_block() {
+        for motion in motions(0.2, 3.0) {
+            for (i, tau, velocity) in [(-1.0, 0.0, 0.0), (1.0, 0.4, 0.05), (-1.0, 0.6, -0.3)] {
+                let scaled = Scaled::new(&motion, &Launch { i, tau, velocity });
+                for (xi, chi) in [(0.2, 0.1), (0.7, -0.3), (1.0, 0.4)] {
+                    let g = motion.forcing(i, tau).at(xi * scaled.time);
+                    let unscaled = motion.acceleration(i, g, chi * scaled.rotation);
+                    let found = scaled.acceleration(xi, chi) * scaled.rotation / scaled.time.powi(2);
+                    assert!((found - unscaled).abs() < 1e-14, "{found} {unscaled}");
+                    let h = 1e-5;
+                    let slope = (scaled.acceleration(xi, chi + h) - scaled.acceleration(xi, chi - h)) / (2.0 * h);
+                    assert!((scaled.stiffness(xi, chi) - slope).abs() < 1e-8, "{slope}");
+                    let (u, du) = scaled.away_from_base(chi, 2.0);
+                    assert!((u - i * chi * scaled.rotation).abs() < 1e-15);
+                    assert!((du - i * 2.0 * scaled.rotation / scaled.time).abs() < 1e-15);
+                }
+                let start = scaled.start();
+                assert_eq!(
+                    (start.t, start.y, start.dy, start.ddy),
+                    (0.0, 0.0, scaled.start_velocity, scaled.acceleration(0.0, 0.0))
+                );
+                assert!((scaled.start_velocity * scaled.rotation / scaled.time - velocity).abs() < 1e-15);
+            }
+        }
+    }
+
+    /// The known root is divided out, so that a parabola and a cubic leave a straight line.
+    #[test]
+    fn the_event_has_the_sign_of_the_flight_until_its_end() {
+        let [motion, _] = motions(0.03, 2.0);
+        let later = Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, velocity: 0.01 });
+        let first = Scaled::new(&motion, &Launch { i: -1.0, tau: 0.0, velocity: 0.0 });
+        assert_eq!((later.event(0.0, 0.0), first.event(0.0, 0.0), first.event(-0.1, 5.0)), (1.0, -1.0, -1.0));
+        for xi in [0.25, 0.5, 2.0] {
+            assert_eq!(later.event(xi, xi * (1.0 - xi)), 1.0 - xi);
+            assert_eq!(first.event(xi, -xi * xi * xi * (1.0 - xi)), xi - 1.0);
+        }
+    }
+
+    /// Errors of a step of order `q` grow as its power `q + 1`; under one that is always accepted the whole flight is one step.
+    #[test]
+    fn the_first_step_follows_the_tolerance_and_the_change_in_a_flight() {
+        let [motion, _] = motions(0.03, 2.0);
+        let flight = |speed: f64| Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, velocity: speed });
+        for (method, order, change) in
+            [(Method::Tsit45, 5.0, 3.0), (Method::Esdirk34, 4.0, 2.0), (Method::TrBdf2, 3.0, 1.0)]
+        {
+            let (long, short) = (flight(1e-2), flight(1e-3));
+            let step = |scaled: &Scaled, rtol: f64| scaled.first_step(method, rtol);
+            let base = step(&long, 1e-13);
+            let growth = step(&long, 1e-12) / base;
+            assert!(is_near(growth, 10_f64.powf(1.0 / order)), "{method}: {growth}");
+            let growth = step(&short, 1e-13) / base;
+            assert!(is_near(growth, (long.time / short.time).powf(change / order)), "{method}: {growth}");
+            // Of the order of the tolerance, and what is short enough is one step.
+            let level = base / (1e-13 / (2.0 * long.time).powf(change)).powf(1.0 / order);
+            assert!((3.0..12.0).contains(&level), "{method}: {level}");
+            assert_eq!(step(&flight(1e-30), 1e-8), WHOLE_FLIGHT);
+        }
+        assert!(is_near(flight(1e-2).first_step(Method::Bdf, 1e-8), 2e-4));
+        assert_eq!((root(8.0, 1), root(9.0, 2), root(8.0, 3)), (8.0, 3.0, 2.0));
+    }
+}

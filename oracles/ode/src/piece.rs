@@ -98,4 +98,30 @@ mod tests {
         assert_eq!(Piece::between(&knot(0.0), &knot(0.9)).sign_changes(), 0);
         assert!(Piece::between(&knot(0.5), &knot(2.5)).sign_changes() == 2, "a dip below zero inside the step is seen");
     }
+
+    /// A polynomial of degree five is the one that its ends describe; `t = 1` is a root of it, and there are signs of no other in the step.
+    #[test]
+    fn reproduces_a_quintic_on_any_step() {
+        // y = (1 - t) (1 + t^4)
+        let knot = |t: f64| Knot {
+            t,
+            y: (1.0 - t) * (1.0 + t.powi(4)),
+            dy: 4.0 * t.powi(3) - 5.0 * t.powi(4) - 1.0,
+            ddy: 12.0 * t.powi(2) - 20.0 * t.powi(3),
+        };
+        for (from, to) in [(0.8, 1.3), (-0.5, 1.25), (0.99, 1.002)] {
+            let piece = Piece::between(&knot(from), &knot(to));
+            for share in [0.0, 0.1, 0.37, 0.5, 0.9, 1.0] {
+                let t = from + share * (to - from);
+                let (y, dy) = piece.at(t);
+                assert!((y - knot(t).y).abs() < 1e-14 && (dy - knot(t).dy).abs() < 1e-12, "{from} {to} {t}");
+            }
+            let (root, slope) = piece.root_near(1.0 + 1e-4 * (to - from));
+            assert!((root - 1.0).abs() < 1e-13 && (slope + 2.0).abs() < 1e-12, "{from} {to}: {root} {slope}");
+        }
+        assert!(
+            !Knot { dy: f64::NAN, ..knot(0.0) }.is_finite() && !Knot { ddy: f64::INFINITY, ..knot(0.0) }.is_finite()
+        );
+        assert!(!Knot { y: f64::NEG_INFINITY, ..knot(0.0) }.is_finite() && knot(0.5).is_finite());
+    }
 }

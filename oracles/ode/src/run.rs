@@ -237,3 +237,46 @@ impl Clock {
         (horizon - self.now) - self.rest
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_landing_is_an_impact_only_if_it_makes_sense_and_comes_in_time() {
+        let of = |interval, speed| match Outcome::landed(interval, speed, 1.0) {
+            Outcome::Impact { interval, speed } => Ok((interval, speed)),
+            Outcome::TimeIsUp => Err(None),
+            Outcome::Ended(ending) => Err(Some(ending)),
+        };
+        assert_eq!((of(0.25, 3.0), of(1e-300, 1e-300)), (Ok((0.25, 3.0)), Ok((1e-300, 1e-300))));
+        assert_eq!((of(1.0, 3.0), of(7.0, 3.0)), (Err(None), Err(None)));
+        for (interval, speed) in [(f64::NAN, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 0.0), (0.5, -1.0)] {
+            assert_eq!(of(interval, speed), Err(Some(Ending::Lost(Loss::NotFinite))), "{interval} {speed}");
+        }
+        for interval in [0.0, -0.5] {
+            assert_eq!(of(interval, 1.0), Err(Some(Ending::Lost(Loss::Stalled))));
+        }
+    }
+
+    /// Intervals far below the last digit of the clock add up, and what is left until a time sees them.
+    #[test]
+    fn the_clock_does_not_lose_what_it_cannot_show() {
+        let mut clock = Clock::default();
+        clock.advance(1.0);
+        let tick = 2_f64.powi(-60);
+        for _ in 0..128 {
+            clock.advance(tick);
+        }
+        // 2^-53 is half of the last digit of 1.
+        assert_eq!((clock.now, clock.left_until(1.0)), (1.0, -128.0 * tick));
+        clock.advance(2_f64.powi(-53));
+        assert_eq!((clock.now, clock.left_until(1.0 + f64::EPSILON)), (1.0 + f64::EPSILON, 0.0));
+        // Also where what is added is larger than what is there.
+        let mut clock = Clock::default();
+        clock.advance(tick);
+        clock.advance(4.0);
+        assert_eq!((clock.now, clock.left_until(5.0)), (4.0, 1.0));
+        assert_eq!(clock.left_until(4.0), -tick);
+    }
+}

@@ -219,3 +219,44 @@ fn on_the_global_clock_odd_cases_neither_panic_nor_hang() {
         }
     }
 }
+
+/// Rotations, of the order of the square of an interval, would come near the smallest double.
+#[test]
+fn impacts_end_where_the_intervals_have_nothing_left_to_resolve() {
+    for eta in [0.5, 0.2] {
+        let case = case(1.01, 2.0, eta).with_max_impacts(3000).unwrap();
+        let history = impacts(&linear(Method::Tsit45), &case);
+        let [before @ .., last] = &history.impacts[..] else { panic!("no impacts") };
+        assert_eq!(history.ending, Ending::AtRest);
+        assert!(last.interval < 1e-140 && before.iter().all(|impact| impact.interval >= 1e-140), "{last:?}");
+    }
+}
+
+#[test]
+fn what_was_asked_for_is_told() {
+    let ode = Ode::new(Equation::Nonlinear, Method::Bdf).with_rtol(1e-7).unwrap().with_flights(Flights::Naive);
+    assert_eq!((ode.equation(), ode.method(), ode.flights()), (Equation::Nonlinear, Method::Bdf, Flights::Naive));
+    assert_eq!((ode.rtol(), Method::TrBdf2.to_string().as_str()), (1e-7, "tr-bdf2"));
+}
+
+/// While the clock still shows the flights it does the same as their own units do, and it ends as they do.
+#[test]
+fn on_the_global_clock_the_first_impacts_and_the_endings_are_right() {
+    let half = core::f64::consts::FRAC_PI_2;
+    let until = |tau| case(1.05, 2.0, 0.92).with_horizon(Horizon::Until(tau)).unwrap();
+    let blocks = [case(1.03, 2.0, 0.92).with_max_impacts(8).unwrap(), case(1.05, 2.0, 0.92), until(0.65), until(half)];
+    for case in blocks.into_iter().chain([case(20.0, 0.5, 0.9), case(1.02, 6.0, 0.8).with_max_impacts(6).unwrap()]) {
+        let truth = impacts(&linear(Method::Tsit45), &case);
+        for (method, error) in
+            [(Method::Tsit45, 1e-6), (Method::Bdf, 1e-2), (Method::TrBdf2, 3e-2), (Method::Esdirk34, 1e-4)]
+        {
+            let naive = impacts(&linear(method).with_flights(Flights::Naive), &case);
+            assert_eq!((naive.ending, naive.impacts.len()), (truth.ending, truth.impacts.len()), "{method} {case:?}");
+            for (found, truth) in naive.impacts.iter().zip(&truth.impacts) {
+                let off = |found: f64, truth: f64| (found / truth - 1.0).abs();
+                let worst = off(found.interval, truth.interval).max(off(found.velocity, truth.velocity));
+                assert!(worst < error, "{method} {case:?}: {found:?} {truth:?}");
+            }
+        }
+    }
+}

@@ -151,17 +151,48 @@ mod tests {
             (9.75, 1, "10"),
             (3.0517578125e-5, 4, "3.052e-5"),
             (1048576.0, 3, "1050000"),
+            (1048576.0, 7, "1048576"),
+            (12345678.0, 3, "1.23e7"),
+            (12345678.0, 1, "1e7"),
+            (2.5e-4, 2, "0.00025"),
+            (9.99e-5, 2, "0.00010"),
+            (-9.96e-5, 3, "-9.96e-5"),
+            (0.5, 0, "0.5"),
             (0.0, 5, "0"),
         ] {
             assert_eq!(ar.decimal(&ar.number(value), digits).unwrap(), expected, "{value} to {digits}");
         }
+        assert_eq!(ar.decimal(&ar.div(&ar.number(1.0), &ar.number(0.0)), 5), None);
     }
 
     #[test]
     fn doubles_come_back() {
         let ar = Arithmetic::new(320).unwrap();
-        for value in [1.0, -0.1, 1e-300, 2.5e250, 0.0, std::f64::consts::PI, 1.0 + f64::EPSILON] {
+        for value in
+            [1.0, -0.1, 1e-300, 2.5e250, 0.0, std::f64::consts::PI, 1.0 + f64::EPSILON, f64::MIN_POSITIVE, f64::MAX]
+        {
             assert_eq!(double(&ar.number(value)), value);
+        }
+        assert!(double(&ar.div(&ar.number(0.0), &ar.number(0.0))).is_nan());
+    }
+
+    #[test]
+    fn agreement_counts_the_decimals_that_two_numbers_share() {
+        let ar = Arithmetic::new(512).unwrap();
+        for value in [1.0, -3.0, 7e-40, 5e80] {
+            let number = ar.number(value);
+            assert_eq!(agreement(&ar, &number, &number), usize::MAX);
+            for decimals in [1, 5, 20, 100] {
+                // A relative difference of 10^-decimals; the measure is right to two bits, and never promises too much.
+                let ten = ar.number(10.0);
+                let off = (0..decimals).fold(number.clone(), |off, _| ar.div(&off, &ten));
+                for other in [ar.add(&number, &off), ar.sub(&number, &off)] {
+                    let found = agreement(&ar, &other, &number);
+                    assert!(found == decimals || found + 1 == decimals, "{found} of {decimals} for {value}");
+                }
+            }
+            assert_eq!(agreement(&ar, &ar.scale(&number, 1e9), &number), 0);
+            assert_eq!(agreement(&ar, &ar.number(f64::NAN), &number), 0);
         }
     }
 }

@@ -165,3 +165,36 @@ fn outcome(ar: &Arithmetic, excitation: &Excitation, flight: &Flight, end: &End)
     let back = double(&falling).abs() + double(excitation.largest_xi());
     if outward > 0.0 && outward + 1.0 > back { Ending::Overturned } else { end.ending }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `i B e^τ + 1 > |A| e^-τ + a/(ω² + 1)`, where `a/(ω² + 1) = 0.2` here, and outwards at all.
+    #[test]
+    fn overturned_is_what_nothing_can_bring_back() {
+        let ar = Arithmetic::new(256).unwrap();
+        let case = Case::from_amplitude(1.0 + 1.0 / 16.0, (69.0_f64 / 16.0).sqrt(), 0.9).unwrap();
+        let excitation = Excitation::new(&ar, &case);
+        for (tau, growing, falling, overturned) in [
+            (0.0, 0.5, 1.29, true),
+            (0.0, 0.5, 1.31, false),
+            (0.0, 0.5, -1.29, true),
+            (0.0, 0.5, -1.31, false),
+            (0.0, 7.0, 7.79, true),
+            (0.0, 7.0, 7.81, false),
+            (0.0, -0.1, 0.0, false),
+            (0.0, 0.01, 0.0, true),
+            // At another time the modes have grown and fallen.
+            (2.0, 0.5, 33.0, true),
+            (2.0, 0.5, 36.0, false),
+        ] {
+            for sign in [1.0, -1.0] {
+                let flight = Flight { sign, falling: ar.number(falling), growing: ar.number(sign * growing) };
+                let end = End { time: ar.number(tau), ending: Ending::Incomplete };
+                let expected = if overturned { Ending::Overturned } else { Ending::Incomplete };
+                assert_eq!(outcome(&ar, &excitation, &flight, &end), expected, "{tau} {growing} {falling} {sign}");
+            }
+        }
+    }
+}

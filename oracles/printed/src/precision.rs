@@ -35,3 +35,50 @@ pub(crate) fn bits(case: &Case, digits: usize, impacts: usize) -> Result<usize, 
     }
     Ok(bits.ceil() as usize)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BITS_A_DECIMAL: f64 = 1.0 / LOG10_2;
+
+    fn bits_of(epsilon: f64, omega: f64, eta: f64, digits: usize, impacts: usize) -> Result<f64, Decline> {
+        bits(&Case::from_epsilon(epsilon, omega, eta).unwrap(), digits, impacts).map(|bits| bits as f64)
+    }
+
+    /// Each thing that takes bits takes as many as it cancels.
+    #[test]
+    fn what_cancels_is_paid_for() {
+        let of = |epsilon, omega, eta, digits, impacts| bits_of(epsilon, omega, eta, digits, impacts).unwrap();
+        let base = of(1e-3, 4.0, 0.5, 30, 20);
+        for (found, decimals) in [
+            (of(1e-3, 4.0, 0.5, 1030, 20), 1000.0),
+            // v falls by η each impact, and the rotation is v².
+            (of(1e-3, 4.0, 0.5, 30, 220), 400.0 * 2_f64.log10()),
+            // v is of the order ε^(3/2)/ω, up to ε = 1 and from ω = 1.
+            (of(1e-53, 4.0, 0.5, 30, 20), 150.0),
+            (of(1e3, 4.0, 0.5, 30, 20), -9.0),
+            (of(1e-3, 4e50, 0.5, 30, 20), 100.0 - LOG10_E * PI / 4.0),
+            // The growing mode magnifies errors by e^(T/2).
+            (of(1e-3, 0.01, 0.5, 30, 20), LOG10_E * (PI / 0.01 - PI / 4.0) - 2.0 * 4_f64.log10()),
+        ] {
+            let expected = decimals * BITS_A_DECIMAL;
+            assert!((found - base - expected).abs() <= 1.0, "{} for {expected} bits", found - base);
+        }
+        // No cancellation: the digits, and those kept for rounding.
+        let least = of(1.0, 1e6, 0.999_999, 10, 1);
+        assert!(least >= (10.0 + 12.0) * BITS_A_DECIMAL + 12.0, "{least}");
+    }
+
+    #[test]
+    fn what_is_too_deep_or_too_slow_is_declined() {
+        assert!(bits_of(1.0, 1.0, 0.1, 20, 290).is_ok());
+        let field = |bits| match bits {
+            Err(Decline::OutOfRange { field, value, .. }) => Some((field, value)),
+            _ => None,
+        };
+        assert_eq!(field(bits_of(1.0, 1.0, 0.1, 20, 291)), Some(("impacts", 291.0)));
+        assert!(bits_of(0.03, 3e-4, 0.9, 20, 1).is_ok());
+        assert_eq!(field(bits_of(0.03, 2e-4, 0.9, 20, 1)), Some(("omega", 2e-4)));
+    }
+}

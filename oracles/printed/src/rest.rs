@@ -25,13 +25,11 @@ pub(crate) fn is_certain(case: &Case, forcing: f64, velocity: f64, left: f64) ->
     WINDOWS.iter().any(|factor| {
         let window = factor * unchanged;
         let rise = |m: f64| speed * speed / (2.0 * m);
-        let least = toward.map(|now| {
-            let m = now - steepest * window;
-            m - rise(0.5 * m)
-        });
+        let on_base = toward.map(|now| now - steepest * window);
+        let least = on_base.map(|m| m - rise(0.5 * m));
         let growth = least.map(|m| (1.0 + (2.0 * steepest * speed / m + rise(m)) / m).sqrt());
         // Comparisons with NaN are false.
-        toward.iter().zip(&least).all(|(now, m)| *m > 0.0 && *m > 0.5 * (now - steepest * window))
+        on_base.iter().zip(&least).all(|(on_base, m)| *on_base > 0.0 && *m > 0.5 * on_base)
             && growth.iter().all(|growth| eta * growth < 1.0)
             && total(least, growth) < window
             && window < left
@@ -50,5 +48,69 @@ mod tests {
         assert!(!is_certain(&case, 0.43, -0.02, 0.4), "the forcing changes");
         assert!(!is_certain(&case, 1.01, 1.6e-8, 0.4), "the forcing lifts the block");
         assert!(!is_certain(&case, f64::NAN, 1.6e-8, 0.4));
+    }
+
+    /// The time that infinitely many flights take under a forcing that does not change, one after the other.
+    fn time_of_all(forcing: f64, velocity: f64, eta: f64) -> f64 {
+        let (mut speed, mut side, mut time) = (velocity.abs(), velocity.signum(), 0.0);
+        while speed > 1e-18 * velocity.abs() {
+            time += 2.0 * speed / (1.0 + side * forcing);
+            speed *= eta;
+            side = -side;
+        }
+        time
+    }
+
+    #[test]
+    fn a_forcing_that_hardly_changes_needs_a_tenth_more_time_than_the_flights_take() {
+        for (forcing, eta) in [(0.43, 0.92), (-0.8, 0.7), (0.0, 0.3), (0.9, 0.97)] {
+            let case = Case::from_amplitude(1.03, 1e-4, eta).unwrap();
+            for velocity in [1e-7, -1e-7] {
+                let time = time_of_all(forcing, velocity, eta);
+                assert!(is_certain(&case, forcing, velocity, 1.11 * time), "{forcing} {eta} {velocity}");
+                assert!(!is_certain(&case, forcing, velocity, 1.09 * time), "{forcing} {eta} {velocity}");
+            }
+        }
+    }
+
+    /// Where the forcing could come up to what the block resists before the flights end, nothing is certain; well before that, it is.
+    #[test]
+    fn the_forcing_may_not_come_near_the_threshold_within_the_window() {
+        for (forcing, omega, eta) in [(0.43, 2.0, 0.92), (-0.9, 8.0, 0.7), (0.9, 0.5, 0.5)] {
+            let case = Case::from_amplitude(1.03, omega, eta).unwrap();
+            for side in [1.0, -1.0] {
+                // The speed at which the forcing, as steep as it can be, covers the distance to the threshold in just the time that all flights take.
+                let reaching = (1.0 - f64::abs(forcing)) / (1.03 * omega) / time_of_all(forcing, side, eta);
+                assert!(!is_certain(&case, forcing, side * reaching / 1.1, f64::INFINITY), "{forcing} {omega} {side}");
+                assert!(is_certain(&case, forcing, side * reaching / 5.0, f64::INFINITY), "{forcing} {omega} {side}");
+            }
+        }
+    }
+
+    /// Without a forcing and with one that stays: a flight rises to `v²/(2m)`, which weakens the pull by as much; not by more than half is allowed,
+    /// and no more than restitution takes away again.
+    #[test]
+    fn a_flight_may_not_rise_so_high_that_its_return_is_in_doubt() {
+        let certain = |eta: f64, velocity: f64| {
+            is_certain(&Case::from_amplitude(1.03, 1e-6, eta).unwrap(), 0.0, velocity, f64::INFINITY)
+        };
+        for side in [1.0, -1.0] {
+            // 1 - v² > 1/2, with m >= 1/2 on the way up.
+            assert!(certain(0.1, 0.70 * side) && !certain(0.1, 0.72 * side));
+            // Restitution is nearly 1: v²/(2m²) may add less to the speed than it takes.
+            assert!(certain(0.99, 0.15 * side) && !certain(0.99, 0.2 * side) && !certain(0.99, 0.5 * side));
+            assert!(certain(0.9, 0.42 * side) && !certain(0.9, 0.48 * side));
+        }
+    }
+
+    /// Where little is left of the pull, `m` here, what the forcing takes of it within a flight, `2aωv/m`, counts as a part of `m`: it makes the
+    /// block come back faster by `v sqrt(1 + 2aωv/m²)`. That halves the speed that the window alone would allow.
+    #[test]
+    fn a_forcing_that_falls_within_a_flight_speeds_the_block_up() {
+        for omega in [0.5, 2.0, 8.0] {
+            let case = Case::from_amplitude(1.03, omega, 0.9).unwrap();
+            assert!(is_certain(&case, 0.97, 1.6e-5 / omega, f64::INFINITY));
+            assert!(!is_certain(&case, 0.97, 1.9e-5 / omega, f64::INFINITY));
+        }
     }
 }

@@ -34,6 +34,33 @@ fn the_chattering_time_is_that_of_the_exact_doubles() {
     }
 }
 
+/// From `data/reference/linear_chattering_times.csv`.
+const REFERENCES: [(f64, f64, f64, &str); 3] = [
+    (0.08448750000000001, 2.0, 0.5, "0.976381453474175714361998368552763974960168183166996907750117"),
+    (0.06825422249999992, 0.5, 0.65, "5.19480405251331432143447092921036954471762976773533044923774"),
+    (0.0039026399999999906, 0.5, 0.8, "1.01154050003963100096446165048794593678083651892002421924076"),
+];
+
+/// As many digits as are asked for, where they can be had; all of them those of the reference, but for the rounding of the last one.
+#[test]
+fn the_chattering_time_has_the_digits_that_were_asked_for() {
+    for (epsilon, omega, eta, reference) in REFERENCES {
+        let case = Case::from_epsilon(epsilon, omega, eta).unwrap();
+        let mut found = Vec::new();
+        for digits in [15, 22, 30] {
+            let decimal = Printed::with_digits(digits).unwrap().chattering_time_decimal(&case).unwrap();
+            assert_eq!(significant(&decimal).len(), digits, "{decimal}");
+            let (last, truth): (u128, u128) =
+                (significant(&decimal).parse().unwrap(), significant(reference)[..digits].parse().unwrap());
+            assert!(last.abs_diff(truth) <= 1, "{decimal} {reference}");
+            found.push(decimal);
+        }
+        // The limits of the case are not those of the chattering time.
+        let short = case.with_max_impacts(2).unwrap().with_horizon(Horizon::Until(0.01)).unwrap();
+        assert_eq!(Printed::with_digits(15).unwrap().chattering_time_decimal(&short).as_ref(), Ok(&found[0]));
+    }
+}
+
 /// The significant digits of a decimal.
 fn significant(decimal: &str) -> String {
     let digits: String = decimal.chars().take_while(|c| *c != 'e').filter(char::is_ascii_digit).collect();
@@ -94,6 +121,11 @@ fn doubles_are_the_decimals_rounded() {
         assert_eq!(impact.time, decimal.time.parse().unwrap());
         assert_eq!(impact.interval, decimal.interval.parse().unwrap());
         assert_eq!(impact.velocity, decimal.velocity.parse().unwrap());
+        let claim = impact.uncertainty;
+        assert_eq!(
+            (claim.time, claim.interval, claim.velocity),
+            (f64::EPSILON * impact.time, f64::EPSILON, f64::EPSILON)
+        );
     }
 }
 

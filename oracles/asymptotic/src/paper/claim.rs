@@ -75,3 +75,61 @@ impl Claim {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The relative claim of a time, in units of that at the same `ε` for a fast excitation and `u = 0`.
+    fn compared(epsilon: f64, omega: f64, x: f64, u: f64) -> f64 {
+        Claim::new(epsilon, omega, x, u, 0).time() / Claim::new(epsilon, 1e9, x, 0.0, 0).time()
+    }
+
+    fn is_near(a: f64, b: f64) -> bool {
+        (a / b - 1.0).abs() < 1e-6
+    }
+
+    #[test]
+    fn each_cause_of_truncation_adds_its_part() {
+        let (epsilon, x) = (1e-8, 5.0);
+        assert!(is_near(Claim::new(epsilon, 1e9, x, 0.0, 0).time(), TIME * epsilon));
+        // The odd flights delay the even ones.
+        assert!(is_near(compared(epsilon, 1e9, x, 3.0 * x), 4.0));
+        // The rotation itself.
+        assert!(is_near(compared(epsilon, 0.5, x, 0.0), 5.0) && is_near(compared(epsilon, 2.0, x, x), 2.25));
+        // The growing mode of the first flight: 1 - 2ε/ω² = 1/32, to the power β - 1 = -2/5 it is 4.
+        let (epsilon, omega) = (31.0 / 64.0 * 1e-4, 1e-2);
+        let claim = Claim::new(epsilon, omega, 1e-3, 0.0, 0);
+        assert!(is_near(claim.time(), TIME * epsilon * (1.0 + 4e4)), "{claim:?}");
+    }
+
+    #[test]
+    fn it_grows_towards_the_critical_amplitude_and_ends_there() {
+        // (x + u ε) ε^(1/2) is ω τ, which comes to 0.78 π.
+        let at = |share: f64| Claim::new(0.01, 1e3, 0.5 * share * 0.78 * PI / 0.1, 50.0 * share * 0.78 * PI / 0.1, 0);
+        assert!(at(0.999).holds() && !at(1.001).holds());
+        // q = 31/32: to the power -2/5 its distance from 1 is 4 times as much as at 0.
+        let claim = at((31.0_f64 / 32.0).sqrt());
+        let uncertainty = claim.uncertainty(7.0);
+        assert!(is_near(uncertainty.time, 7.0 * claim.time()) && is_near(claim.time(), TIME * claim.truncation));
+        assert!(is_near(uncertainty.interval, 4.0 * INTERVAL * claim.truncation), "{uncertainty:?}");
+        assert!(is_near(uncertainty.velocity, 4.0 * VELOCITY * claim.truncation), "{uncertainty:?}");
+        // The first flight alone does not return where 2 ε = ω².
+        let slow = |share: f64| Claim::new(0.5e-8 * share, 1e-4, 1e-9, 0.0, 0);
+        assert!(slow(0.999).holds() && !slow(1.001).holds());
+        // Both together.
+        assert!(Claim::new(0.5 * 0.45e-2, 0.1, 0.7 * 0.78 * PI / (0.5_f64 * 0.45e-2).sqrt(), 0.0, 0).holds());
+        assert!(!Claim::new(0.5 * 0.55e-2, 0.1, 0.7 * 0.78 * PI / (0.5_f64 * 0.55e-2).sqrt(), 0.0, 0).holds());
+    }
+
+    /// At the least what rounding does in so many flights.
+    #[test]
+    fn rounding_is_claimed_however_small_the_excitation() {
+        for flights in [0, 60, 1000] {
+            let claim = Claim::new(1e-40, 2.0, 10.0, 60.0, flights);
+            let least = f64::EPSILON * (8.0 + flights as f64);
+            let Uncertainty { time, interval, velocity } = claim.uncertainty(0.5);
+            assert!(is_near(time, 0.5 * least) && is_near(interval, least) && is_near(velocity, least));
+        }
+    }
+}

@@ -61,6 +61,18 @@ mod tests {
         assert!((velocity_at_end(0.0, y) - 16.0 * SQRT_2 / 3.0).abs() < 2e-14);
     }
 
+    /// Above it, as Newton's method needs it, and near enough that few steps of that are left.
+    #[test]
+    fn the_bound_is_above_the_root_and_near_it() {
+        for x in [0.0, 1e-9, 0.5, 1.4, SQRT_2, 1.5, 2.0, 2.5, 2.8, 2.0 * SQRT_2, 2.9, 4.0, 10.8, 100.0] {
+            for v in [-1e6, -1e3, -10.0, -1.0, -1e-3, -1e-10, -1e-200] {
+                let ((c1, c2), root) = (coefficients(x), duration(x, v));
+                let share = above_the_root(c1, c2, v) / root;
+                assert!((1.0 - 1e-14..3.0).contains(&share), "x = {x}, v = {v}: {share} of the root");
+            }
+        }
+    }
+
     #[test]
     fn the_root_is_accurate_down_to_the_smallest_velocities() {
         for x in [0.0, 1e-9, 0.5, 1.4, SQRT_2, 2.0, 2.8, 2.0 * SQRT_2, 2.9, 5.0, 10.8, 100.0] {

@@ -49,3 +49,36 @@ fn width_and_nesting_are_exact() {
     assert_eq!(between(0.25, 1.0).width(), 0.75);
     assert!(Bounds::new(&Interval::<f64>::between(0.0, f64::INFINITY)).is_none());
 }
+
+#[test]
+fn places_are_what_the_larger_end_needs() {
+    for (lower, upper, digits, places) in [
+        (0.5, 0.5, 3, 3),
+        (1.5, 1.5, 3, 2),
+        (123.4, 123.4, 3, 0),
+        (123.4, 123.4, 2, 0),
+        (0.00123, 0.00123, 3, 5),
+        (-20.0, 0.1, 4, 2),
+        (0.1, 20.0, 4, 2),
+        (0.0, 0.0, 4, 3),
+    ] {
+        assert_eq!(between(lower, upper).places(digits), places, "{lower} {upper} {digits}");
+    }
+}
+
+#[test]
+fn digits_are_settled_where_both_ends_have_them() {
+    let settled = |lower, upper, digits| between(lower, upper).settled(digits);
+    assert_eq!(settled(1.23451, 1.23459, 5).as_deref(), Some("1.2345"));
+    assert_eq!(settled(1.23449, 1.23451, 5), None);
+    assert_eq!(settled(-1.23459, -1.23451, 5).as_deref(), Some("-1.2346"));
+    assert_eq!(settled(0.00251, 0.00259, 2).as_deref(), Some("0.0025"));
+}
+
+#[test]
+fn ends_that_have_crossed_are_no_bounds() {
+    assert!(Bounds::new(&Interval::<f64>::between(1.0, 1.0_f64.next_down())).is_none());
+    assert_eq!((between(-2.0, 3.0).lower(), between(-2.0, 3.0).upper()), (-2.0, 3.0));
+    let [outer, inner] = [between(-2.0, 3.0), between(-2.0, 2.5)];
+    assert!(outer.contain(&inner) && !inner.contain(&outer) && !between(-1.9, 9.0).contain(&inner));
+}

@@ -105,3 +105,47 @@ fn an_end_that_is_not_a_number_proves_nothing() {
     check::<Twofold>();
     check::<Digits<128>>();
 }
+
+/// What an interval says of itself, exactly where the numbers are few-digited.
+#[test]
+fn an_interval_knows_its_size() {
+    fn check<F: Directed>() {
+        let between = Interval::<F>::between;
+        let is_near = |found: f64, expected: f64| found >= expected && found <= expected * (1.0 + 1e-15);
+        for (lower, upper, width, magnitude) in [
+            (2.0, 3.0, 1.0, 3.0),
+            (-3.0, -2.0, 1.0, 3.0),
+            (-1.0, 0.5, 1.5, 1.0),
+            (-0.5, 1.0, 1.5, 1.0),
+            (4.0, 4.0, 0.0, 4.0),
+        ] {
+            let interval = between(lower, upper);
+            assert!(is_near(interval.width(), width) || width == 0.0 && interval.width() < 1e-14, "{interval:?}");
+            assert_eq!((interval.magnitude(), interval.middle()), (magnitude, 0.5 * (lower + upper)));
+            assert_eq!((interval.is_positive(), interval.is_negative()), (lower > 0.0, upper < 0.0));
+            let centre = interval.centre();
+            assert!(centre.lower == centre.upper && (centre.middle() - interval.middle()).abs() < 1e-14);
+            let relative = interval.relative_width();
+            assert!(
+                lower * upper < 0.0 && relative.is_infinite()
+                    || is_near(relative, width / lower.abs().min(upper.abs()))
+                    || width == 0.0
+            );
+        }
+        let [low, high] = [between(1.0, 2.0), between(2.0, 3.0)];
+        assert!(!low.is_below(&high) && !high.is_below(&low) && low.is_below(&between(2.5, 3.0)));
+        let both = low.and(&between(1.5, 7.0));
+        assert!(both.lower == F::exactly(1.5) && both.upper == F::exactly(2.0));
+        let both = between(1.5, 7.0).and(&low);
+        assert!(both.lower == F::exactly(1.5) && both.upper == F::exactly(2.0));
+        assert!(
+            between(0.0, 0.0).root().upper == F::exactly(0.0)
+                && between(0.0, 5.0).down_to_zero().upper == F::exactly(5.0)
+        );
+        assert!(between(2.0, 5.0).down_to_zero().lower == F::exactly(0.0));
+        assert!(between(-2.0, 5.0).down_to_zero().lower == F::exactly(-2.0));
+    }
+    check::<f64>();
+    check::<Twofold>();
+    check::<Digits<128>>();
+}

@@ -1,0 +1,326 @@
+//! One rocking block in each lane, from one impact to the next.
+
+use crate::{
+    rest::{GROWTH, SHARE},
+    sequence::SLOWEST,
+};
+
+use super::{
+    lanes::{Lanes, Twofold},
+    motion::{FEW, REACH, SOME, Start, Step, TERMS, step},
+};
+
+/// How many steps are tried before a flight is left to the scalar code.
+const STEPS: usize = 8;
+
+/// Below this cosine of half the phase `T/2` is so near that the scalar code has to tell on which side of it an impact is.
+const NEARLY_OVER: f64 = 1e-9;
+
+/// The blocks after an impact, each with its case.
+#[derive(Clone, Copy)]
+pub(super) struct Blocks<L: Lanes> {
+    /// 1 where there is a case.
+    pub busy: L,
+    pub epsilon: L,
+    pub omega: L,
+    pub eta: L,
+    /// `a cos ψ = sqrt(2ε + ε²)`.
+    pub cosine: L,
+    /// `max(1, ω)`.
+    pub rate: L,
+    /// The `q` of `flow`.
+    pub series: [L; TERMS],
+    /// What `rest` needs of the case: `x (1 - x)(1 - η²)/(2 exp(x/(2(1 - x))))`.
+    pub room: L,
+    /// Where the first flight ends, nearly.
+    pub first: L,
+    pub time: Twofold<L>,
+    pub speed: Twofold<L>,
+    /// Sine and cosine of half the phase.
+    pub sin: Twofold<L>,
+    pub cos: Twofold<L>,
+    /// `-1 - i f` on the side to which the block leaves.
+    pub acceleration: L,
+    /// `-i f'` there.
+    pub jerk: L,
+    /// 1 where the rest of the sequence is certain.
+    pub complete: L,
+}
+
+/// What a flight ends with.
+pub(super) struct Landed<L: Lanes> {
+    pub time: L,
+    pub interval: L,
+    pub velocity: L,
+    /// Where it is not sure that this is the first impact, and everywhere else that the lanes are not made for.
+    pub unsure: L::Mask,
+    /// Time and speed at the start of the flight.
+    pub before: [Twofold<L>; 2],
+}
+
+/// `-1 - i f` and `-i f'`, on the side of the first flight or on the other; see `forcing`.
+#[inline(always)]
+pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin: L, cos: L) -> [L; 2] {
+    let rate = omega * (cosine * ((cos - sin) * (cos + sin)) - (sin + sin) * cos);
+    if FIRST_SIDE { [(sin + sin) * (cosine * cos - sin), rate] } else { [-((cos + cos) * (cos + cosine * sin)), -rate] }
+}
+
+/// `1 + a z (1 + b z (1 + c z))`
+#[inline(always)]
+fn nested<L: Lanes>(z: L, [a, b, c]: [f64; 3]) -> L {
+    (z * (z * (z.by(c).plus(1.0)).by(b)).plus(1.0).by(a)).plus(1.0)
+}
+
+/// One step more by `N` terms, where the mask holds.
+#[inline(always)]
+fn further<L: Lanes, const N: usize>(
+    blocks: &Blocks<L>,
+    start: &Start<L>,
+    s: L,
+    mask: L::Mask,
+    (here, found): (Step<L>, L::Mask),
+) -> (Step<L>, L::Mask) {
+    if !L::any(mask) {
+        return (here, found);
+    }
+    let (next, last) = step::<L, N>(blocks, start, s);
+    (next.or(mask, here), found | (last & mask))
+}
+
+impl<L: Lanes> Blocks<L> {
+    /// One flight of each block, all to the same side.
+    #[inline(always)]
+    pub fn fly<const FIRST_SIDE: bool>(&mut self) -> Landed<L> {
+        let (one, zero) = (self.omega.all(1.0), self.omega.all(0.0));
+        let squared = self.omega * self.omega;
+        let start = Start {
+            speed: self.speed.value(),
+            acceleration: self.acceleration,
+            jerk: self.jerk,
+            snap: -(squared * (one + self.acceleration)),
+        };
+        let busy = zero.below(self.busy);
+        let (landing, found) = self.land(&start, busy);
+        let first = self.is_first(&start, squared, landing.interval, busy);
+
+        let before = [self.time, self.speed];
+        self.time = self.time.plus(landing.interval);
+        self.speed = self.speed.plus(-landing.gain).times(self.eta);
+        let [up, down] = landing.turn;
+        self.sin = self.sin.plus(up);
+        self.cos = self.cos.plus(-down);
+        let (time, speed, cos) = (self.time.value(), self.speed.value(), self.cos.value());
+        let [acceleration, jerk] = if FIRST_SIDE {
+            forcing::<L, false>(self.cosine, self.omega, self.sin.value(), cos)
+        } else {
+            forcing::<L, true>(self.cosine, self.omega, self.sin.value(), cos)
+        };
+        (self.acceleration, self.jerk) = (acceleration, jerk);
+        if L::any(busy & self.complete.below(one)) {
+            self.complete = one.or(self.rests(speed), self.complete);
+        }
+        let sure = found & first & cos.all(NEARLY_OVER).below(cos) & speed.all(SLOWEST).below(speed);
+        Landed {
+            time,
+            interval: landing.interval,
+            velocity: if FIRST_SIDE { speed } else { -speed },
+            unsure: busy & !sure,
+            before,
+        }
+    }
+
+    /// The impact that the flight comes to, and where one is found.
+    #[inline(always)]
+    fn land(&self, start: &Start<L>, busy: L::Mask) -> (Step<L>, L::Mask) {
+        let nothing = self.omega.all(0.0);
+        let s = self.guess(start, busy);
+        let x = self.rate * s;
+        let inside = nothing.below(s) & x.below(x.all(FEW.1));
+        // Most flights are short, and need one step.
+        let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, inside & !inside);
+        let mut open = busy;
+        let mut steps = 0;
+        if !L::any(busy & !inside) {
+            steps = 1;
+            let (next, last) = step::<L, { FEW.0 }>(self, start, s);
+            (here, found) = (next, last & inside);
+            open = busy & !found;
+        }
+        while L::any(open) && steps < STEPS {
+            steps += 1;
+            let s = here.interval;
+            let x = self.rate * s;
+            open = open & nothing.below(s) & x.below(x.all(REACH));
+            // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
+            let (few, some) = (x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
+            (here, found) = further::<L, { FEW.0 }>(self, start, s, open & few, (here, found));
+            (here, found) = further::<L, { SOME.0 }>(self, start, s, open & some & !few, (here, found));
+            (here, found) = further::<L, TERMS>(self, start, s, open & !some, (here, found));
+            open = open & !found;
+        }
+        (here, found)
+    }
+
+    /// Where the flight may end; see `flight`.
+    #[inline(always)]
+    fn guess(&self, start: &Start<L>, busy: L::Mask) -> L {
+        let Start { speed, acceleration, jerk, snap } = *start;
+        let one = speed.all(1.0);
+        let inverse = one / acceleration;
+        let inverse_squared = inverse * inverse;
+        let parabola = (speed * inverse).by(-2.0);
+        let e = ((speed + jerk) * speed).by(2.0 / 3.0) * inverse_squared;
+        let d = ((acceleration + snap) * (speed * speed)).by(-1.0 / 3.0) * (inverse_squared * inverse);
+        let e_squared = e * e;
+        // and one term more than there: that of t⁴, (v + q j) parabola⁴/(120 v), nearly
+        let [_, q, ..] = self.series;
+        let fourth = (q * (parabola * parabola)).by(1.0 / 20.0);
+        let near = (e * fourth + e.plus(1.0))
+            + e_squared * (e.by(5.0).plus(2.0) + e_squared * e.by(42.0).plus(14.0))
+            + d * (e.by(5.0).plus(1.0) + (d.by(3.0) + e_squared.by(21.0)));
+        let falls = self.speed.high.all(0.0).below(parabola);
+        let small = e.abs().below(e.all(0.12));
+        let far = busy & falls & !small;
+        let mut stretch = near;
+        if L::any(far) {
+            // 1 - t + e t² + d t³ = 0 by Newton's method
+            let mut t = one.plus(0.4);
+            let mut steps = 0;
+            while steps < 4 {
+                steps += 1;
+                let value = (one - t) + (t * t) * (e + d * t);
+                let slope = (t * (e + e + (d * t).by(3.0))).plus(-1.0);
+                t = t - value / slope;
+            }
+            stretch = t.or(far, near);
+        }
+        (parabola * stretch).or(falls, self.first)
+    }
+
+    /// Where it is proven that no impact comes before the one found, in one of the two ways of `flight`.
+    ///
+    /// The forcing is `b(s) = b + j sin(ωs)/ω + k (1 - cos ωs)/ω²`, so `b + min(j, 0) s + min(k, 0) s²/2` is below it, and with `max` above.
+    #[inline(always)]
+    fn is_first(&self, start: &Start<L>, squared: L, s: L, busy: L::Mask) -> L::Mask {
+        let Start { speed, acceleration, jerk, snap } = *start;
+        let zero = s.all(0.0);
+        let rise = jerk.max(zero) + s * snap.max(zero).by(0.5);
+        let concave = (acceleration + s * (speed + rise)).below(zero);
+        let mut proven = concave;
+        if L::any(busy & !concave) {
+            let fall = jerk.min(zero) + s * snap.min(zero).by(0.5);
+            let lowest = acceleration + s * fall;
+            // Bounds on sinh s and on 2 (cosh s - 1), for s <= 2.3.
+            let z = s * s;
+            let sinh = s * nested(z, [1.0 / 6.0, 1.0 / 20.0, 1.2 / 42.0]);
+            let cosh = z * nested(z, [1.0 / 12.0, 1.0 / 30.0, 1.2 / 56.0]);
+            let height = speed * sinh + (self.epsilon * cosh).by(0.5);
+            let excess = squared.plus(-1.0);
+            let drive = (-(excess * self.epsilon)).or(excess.below(zero), excess * (-lowest).max(zero));
+            let bounded = snap.below(zero) & ((height - squared) + drive).below(zero);
+            let turns = acceleration.below(zero) & zero.below(speed + jerk);
+            proven = proven | (bounded & !turns);
+        }
+        proven
+    }
+
+    /// Where the rest of the sequence is certain after an impact that is left with this speed; see `rest`.
+    #[inline(always)]
+    fn rests(&self, speed: L) -> L::Mask {
+        let zero = speed.all(0.0);
+        let this = -self.acceleration;
+        let other = speed.all(2.0) - this;
+        let fastest = self.omega + self.omega * self.epsilon;
+        let flights = speed * (other + self.eta * this) * (fastest + (speed + speed));
+        let fit = !(self.room * this.min(other) * this * other).below(flights);
+        zero.below(this) & zero.below(other) & fit
+    }
+
+    /// Puts a case at its initiation into a lane.
+    pub fn start(&mut self, lane: usize, epsilon: f64, omega: f64, eta: f64) {
+        let cosine = (epsilon * (2.0 + epsilon)).sqrt();
+        let Self { time, speed, sin, cos, .. } = self;
+        for (place, value) in [
+            (&mut self.busy, 1.0),
+            (&mut self.epsilon, epsilon),
+            (&mut self.omega, omega),
+            (&mut self.eta, eta),
+            (&mut time.high, 0.0),
+            (&mut time.low, 0.0),
+            (&mut speed.high, 0.0),
+            (&mut speed.low, 0.0),
+            (&mut sin.high, 0.0),
+            (&mut sin.low, 0.0),
+            (&mut cos.high, 1.0),
+            (&mut cos.low, 0.0),
+            (&mut self.acceleration, 0.0),
+            (&mut self.jerk, omega * cosine),
+            (&mut self.complete, 0.0),
+        ] {
+            place.set_lane(lane, value);
+        }
+    }
+
+    /// What depends on the cases only. Done for all lanes when any has a new case, with the same answer for the others.
+    #[inline(always)]
+    pub fn prepare(&mut self) {
+        let (epsilon, omega, eta) = (self.epsilon, self.omega, self.eta);
+        let one = omega.all(1.0);
+        self.cosine = (epsilon * epsilon.plus(2.0)).sqrt();
+        self.rate = omega.max(one);
+        let squared = omega * omega;
+        let mut q = one;
+        for series in &mut self.series {
+            *series = q;
+            q = one - squared * q;
+        }
+        let room = SHARE * (1.0 - SHARE) / (2.0 * GROWTH);
+        self.room = (one - eta * eta).by(room);
+        self.first = self.first_interval();
+    }
+
+    /// Where the first flight ends: Eq. 31 has `s = 4 sqrt(2ε + ε²)/ω`, and in units of that, `σ`, the next terms of the series are
+    /// `0 = 1 - σ + A (σ²/20 - σ³/30) + B (σ⁴/840 - σ⁵/1680) + ...`
+    #[inline(always)]
+    fn first_interval(&self) -> L {
+        let one = self.omega.all(1.0);
+        let unit = self.cosine.by(4.0) / self.omega;
+        let square = unit * unit;
+        let [_, q, next, ..] = self.series;
+        let (a, b) = (q * square, next * square * square);
+        let mut sigma = one;
+        let mut times = 0;
+        while times < 3 {
+            times += 1;
+            let power = sigma * sigma;
+            let by_a = one.by(1.0 / 20.0) - sigma.by(1.0 / 30.0);
+            let by_b = one.by(1.0 / 840.0) - sigma.by(1.0 / 1680.0);
+            sigma = one + power * (a * by_a + power * b * by_b);
+        }
+        unit * sigma
+    }
+
+    /// Lanes without cases.
+    #[inline(always)]
+    pub fn idle(zero: L) -> Self {
+        let nothing = Twofold { high: zero, low: zero };
+        Self {
+            busy: zero,
+            epsilon: zero,
+            omega: zero,
+            eta: zero,
+            cosine: zero,
+            rate: zero,
+            series: [zero; TERMS],
+            room: zero,
+            first: zero,
+            time: nothing,
+            speed: nothing,
+            sin: nothing,
+            cos: nothing,
+            acceleration: zero,
+            jerk: zero,
+            complete: zero,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! The exact solution in lanes: the series of `flow`, and the turn of half the phase, at one local time `s` of each lane's flight.
+//!
+//! Sine and cosine of half the phase are not computed anew from the time of each impact but turned by `δ = ωs/2`:
+//!
+//! ```text
+//! sin(x + δ) - sin x = cos x sin δ - sin x (1 - cos δ)     cos x - cos(x + δ) = sin x sin δ + cos x (1 - cos δ)
+//! ```
+//!
+//! A turn is as small as the flight is short, and is wrong by its own rounding errors only, so that all turns together are wrong by no more than
+//! the time is, if the sums are twofold.
+
+use super::{
+    blocks::Blocks,
+    lanes::{Lanes, Twofold},
+};
+
+/// How many terms of the series are held, and up to which `max(1, ω) s` they are enough; see `flow`.
+pub(super) const TERMS: usize = 11;
+pub(super) const REACH: f64 = 2.3;
+
+/// The same for few and for some terms.
+pub(super) const FEW: (usize, f64) = (5, 0.157);
+pub(super) const SOME: (usize, f64) = (6, 0.32);
+
+/// `1/(2m+1)!` and `1/(2m+2)!`, of `z^(m-1)`, from `m = 1`.
+const SERIES: [[f64; 2]; TERMS] = {
+    let mut rows = [[0.0; 2]; TERMS];
+    let (mut index, mut inverse_factorial) = (0, 0.5);
+    while index < TERMS {
+        let n = (2 * index + 3) as f64;
+        rows[index] = [inverse_factorial / n, inverse_factorial / (n * (n + 1.0))];
+        inverse_factorial = rows[index][1];
+        index += 1;
+    }
+    rows
+};
+
+/// `±1/(2m+1)!` and `±1/(2m+2)!`: the coefficients of `δ^2m` in `sin δ/δ` and in `(1 - cos δ)/δ²`, from `m = 0`.
+const TURN: [[f64; 2]; TERMS] = {
+    let mut rows = [[0.0; 2]; TERMS];
+    let (mut index, mut inverse_factorial) = (0, 1.0);
+    while index < TERMS {
+        let n = (2 * index + 2) as f64;
+        rows[index] = [inverse_factorial, inverse_factorial / n];
+        inverse_factorial = -inverse_factorial / (n * (n + 1.0));
+        index += 1;
+    }
+    rows
+};
+
+/// What drives a flight: its speed at the start, and the acceleration, jerk and snap of the forcing there.
+#[derive(Clone, Copy)]
+pub(super) struct Start<L> {
+    pub speed: L,
+    pub acceleration: L,
+    pub jerk: L,
+    pub snap: L,
+}
+
+/// Where a flight stands after one step towards its impact.
+#[derive(Clone, Copy)]
+pub(super) struct Step<L> {
+    /// The local time of the impact, as it is known now.
+    pub interval: L,
+    /// The gain there: how much slower the block lands than it left.
+    pub gain: L,
+    /// By how much the sine of half the phase has grown there, and its cosine shrunk.
+    pub turn: [L; 2],
+}
+
+impl<L: Lanes> Step<L> {
+    /// This where the mask holds, and the other elsewhere.
+    #[inline(always)]
+    pub fn or(self, mask: L::Mask, other: Self) -> Self {
+        let [sine, cosine] = self.turn;
+        let [other_sine, other_cosine] = other.turn;
+        Self {
+            interval: self.interval.or(mask, other.interval),
+            gain: self.gain.or(mask, other.gain),
+            turn: [sine.or(mask, other_sine), cosine.or(mask, other_cosine)],
+        }
+    }
+}
+
+/// The coefficients of `z^m` of the odd and of the even series.
+#[inline(always)]
+fn coefficients<L: Lanes>(blocks: &Blocks<L>, start: &Start<L>, m: usize) -> [L; 2] {
+    let (Some(q), Some([odd, even])) = (blocks.series.get(m), SERIES.get(m)) else {
+        return [start.speed; 2];
+    };
+    // q = 1 for m = 0
+    let [jerk, snap] = if m == 0 { [start.jerk, start.snap] } else { [*q * start.jerk, *q * start.snap] };
+    [(start.speed + jerk).by(*odd), (start.acceleration + snap).by(*even)]
+}
+
+/// One step of Newton's method, with Halley's correction, from `s` towards the impact, by `N` terms of each series; and where it is the last.
+#[inline(always)]
+pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L>, s: L) -> (Step<L>, L::Mask) {
+    let z = s * s;
+    // O, E, their derivatives and half their second derivatives by z.
+    let [odd, even] = coefficients(blocks, start, N - 1);
+    let [odd_next, even_next] = coefficients(blocks, start, N - 2);
+    let (mut o, mut o1, mut o2) = (odd * z + odd_next, odd, odd);
+    let (mut e, mut e1, mut e2) = (even * z + even_next, even, even);
+    let mut m = N - 2;
+    while m > 0 {
+        m -= 1;
+        let [odd, even] = coefficients(blocks, start, m);
+        if m + 3 < N {
+            (o2, e2) = (o2 * z + o1, e2 * z + e1);
+        }
+        (o1, e1) = (o1 * z + o, e1 * z + e);
+        (o, e) = (o * z + odd, e * z + even);
+    }
+    // h = u/s, the gain, and how that grows along s: the formulas of `flow`.
+    let speed = start.speed;
+    let deflated = speed + ((s * start.acceleration).by(0.5) + z * (o + s * e));
+    let gain = z * ((o + z * (o1 + o1)) + (s + s) * (e + z * e1));
+    let eight_z = z.by(8.0);
+    let bend = z * (((o + o) + z * (o1.by(10.0) + eight_z * o2)) + s * (e.by(6.0) + z * (e1.by(14.0) + eight_z * e2)));
+    let slope = (deflated - speed) + gain;
+    let inverse = s.all(-1.0) / slope;
+    let newton = deflated * inverse;
+    let step = newton + (newton * newton).by(0.5) * (bend * inverse);
+
+    // The gain at the end of the step. Its second derivative along s is 4 bend - 6 gain up to the fourth order of u.
+    let gain = gain + step * (bend + step * ((bend + bend) - gain.by(3.0)));
+    // What that leaves out is of order x² bend step² and step³.
+    let leap = blocks.rate * s * step;
+    let small = step.abs().below(s.all(1e-5));
+    let exact = (leap * leap * bend.abs()).below((speed - gain).abs().by(2.5e-16));
+    // A root is crossed downwards.
+    let last = small & exact & slope.below(s.all(0.0));
+
+    // The turn to s, and the small one to the end of the step.
+    let half = (blocks.omega * s).by(0.5);
+    let square = half * half;
+    let (mut sine, mut versine) = (s.all(0.0), s.all(0.0));
+    let turns = if N < 10 { N } else { 10 };
+    let mut m = turns;
+    while m > 0 {
+        m -= 1;
+        let [odd, even] = TURN[m];
+        (sine, versine) = if m + 1 == turns {
+            (s.all(odd), s.all(even))
+        } else {
+            ((sine * square).plus(odd), (versine * square).plus(even))
+        };
+    }
+    let (sine, versine) = (half * sine, square * versine);
+    let Blocks { sin: Twofold { high: sin, .. }, cos: Twofold { high: cos, .. }, .. } = *blocks;
+    let up = cos * sine - sin * versine;
+    let down = sin * sine + cos * versine;
+    let small_turn = half * step;
+    let half_turn = small_turn.by(0.5);
+    let (sin, cos) = (sin + up, cos - down);
+    let turn = [up + small_turn * (cos - half_turn * sin), down + small_turn * (sin + half_turn * cos)];
+    (Step { interval: s + s * step, gain, turn }, last)
+}

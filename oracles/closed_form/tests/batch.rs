@@ -1,0 +1,276 @@
+//! Batches: the same bits on every instruction set, in any order and on any number of threads, and the numbers of the oracle that steps through
+//! one case with its claims.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
+
+use closed_form::{
+    ClosedForm,
+    batch::{Batch, InstructionSet, Refusal, Rows, Sequence, Tally},
+};
+use contract::{Case, Ending, History, Limit, Oracle};
+use proptest::prelude::*;
+
+/// `ε`, `ω`, `η`.
+type Parameters = [f64; 3];
+
+#[derive(Debug, Clone)]
+struct Answer {
+    time: Vec<f64>,
+    interval: Vec<f64>,
+    velocity: Vec<f64>,
+    sequences: Vec<Sequence>,
+    tally: Tally,
+}
+
+impl Answer {
+    /// Everything about one case, to the bit.
+    fn bits(&self, case: usize) -> (Vec<u64>, Sequence) {
+        let impacts = self.time.len() / self.sequences.len();
+        let row = case * impacts..(case + 1) * impacts;
+        let quantities = [&self.time[row.clone()], &self.interval[row.clone()], &self.velocity[row]];
+        (quantities.concat().iter().map(|number| number.to_bits()).collect(), self.sequences[case])
+    }
+}
+
+fn run(cases: &[Parameters], impacts: usize, set: InstructionSet) -> Answer {
+    let column = |of: usize| cases.iter().map(|case| case[of]).collect::<Vec<_>>();
+    let (epsilon, omega, eta) = (column(0), column(1), column(2));
+    let batch = Batch::new(&epsilon, &omega, &eta, impacts).unwrap().with_instruction_set(set);
+    // What was in the rows before must not matter.
+    let row = vec![7.0; cases.len() * impacts];
+    let mut answer = Answer {
+        time: row.clone(),
+        interval: row.clone(),
+        velocity: row,
+        sequences: vec![Sequence::default(); cases.len()],
+        tally: Tally::default(),
+    };
+    let Answer { time, interval, velocity, sequences, .. } = &mut answer;
+    answer.tally = batch.run(Rows { time, interval, velocity, sequences }).unwrap();
+    answer
+}
+
+fn oracle([epsilon, omega, eta]: Parameters, impacts: usize) -> History {
+    let case = Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(impacts).unwrap();
+    ClosedForm.history(&case).unwrap()
+}
+
+/// The largest difference to the oracle, as a multiple of what that claims; an error if the sequence is another one.
+fn difference(answer: &Answer, cases: &[Parameters]) -> Result<f64, String> {
+    let impacts = answer.time.len() / cases.len();
+    let mut worst: f64 = 0.0;
+    for (index, case) in cases.iter().enumerate() {
+        let history = oracle(*case, impacts);
+        let Sequence { impacts: count, ending } = answer.sequences[index];
+        if (count, ending) != (history.impacts.len(), history.ending) {
+            return Err(format!(
+                "{case:?}: {count} impacts, {ending}; {} and {}",
+                history.impacts.len(),
+                history.ending
+            ));
+        }
+        for (n, impact) in history.impacts.iter().enumerate() {
+            let at = index * impacts + n;
+            let claims = impact.uncertainty;
+            for (found, expected, claim) in [
+                (answer.time[at], impact.time, claims.time),
+                (answer.interval[at], impact.interval, claims.interval * impact.interval),
+                (answer.velocity[at], impact.velocity, claims.velocity * impact.velocity.abs()),
+            ] {
+                worst = worst.max((found - expected).abs() / claim);
+            }
+        }
+        for quantity in [&answer.time, &answer.interval, &answer.velocity] {
+            if !quantity[index * impacts + count..(index + 1) * impacts].iter().all(|number| number.is_nan()) {
+                return Err(format!("{case:?}: something stands behind the last impact"));
+            }
+        }
+    }
+    Ok(worst)
+}
+
+/// The oracle and the lanes err independently of each other, each by as much as the oracle claims at the most.
+const ALLOWED: f64 = 2.0;
+
+/// Cases from far below the critical amplitude to far above it.
+fn parameters() -> impl Strategy<Value = Parameters> {
+    let omega = (-2.0..2.0f64).prop_map(|power| 10f64.powf(power));
+    (-6.0..-0.5f64, omega, 0.5..0.98f64).prop_map(|(power, omega, eta)| [10f64.powf(power), omega, eta])
+}
+
+/// Cases of the paper's range.
+fn ordinary() -> impl Strategy<Value = Parameters> {
+    (0.005..0.035f64, 0.5..8.0f64, 0.80..0.95f64).prop_map(|(epsilon, omega, eta)| [epsilon, omega, eta])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn the_numbers_are_those_of_the_oracle(
+        cases in prop::collection::vec(prop_oneof![parameters(), ordinary()], 1..40), impacts in 1..=400usize,
+    ) {
+        let answer = run(&cases, impacts, InstructionSet::fastest());
+        let worst = difference(&answer, &cases).map_err(TestCaseError::fail)?;
+        prop_assert!(worst <= ALLOWED, "off by {worst} of what is claimed");
+    }
+
+    #[test]
+    fn every_instruction_set_gives_the_same_bits(
+        cases in prop::collection::vec(prop_oneof![parameters(), ordinary()], 1..40), impacts in 1..=100usize,
+    ) {
+        let scalar = run(&cases, impacts, InstructionSet::Scalar);
+        for set in InstructionSet::available() {
+            let answer = run(&cases, impacts, set);
+            for case in 0..cases.len() {
+                prop_assert_eq!(answer.bits(case), scalar.bits(case), "{:?} {:?}", set, cases[case]);
+            }
+            prop_assert_eq!(answer.tally, scalar.tally);
+        }
+    }
+
+    #[test]
+    fn a_case_does_not_depend_on_the_others(
+        cases in prop::collection::vec(prop_oneof![parameters(), ordinary()], 2..40), impacts in 1..=100usize, turn in 1..40usize,
+    ) {
+        let together = run(&cases, impacts, InstructionSet::fastest());
+        let mut turned = cases.clone();
+        turned.rotate_left(turn % cases.len());
+        turned.reverse();
+        let elsewhere = run(&turned, impacts, InstructionSet::fastest());
+        for (index, case) in cases.iter().enumerate() {
+            let place = turned.iter().position(|other| other == case).unwrap();
+            prop_assert_eq!(together.bits(index), elsewhere.bits(place));
+            prop_assert_eq!(together.bits(index), run(&[*case], impacts, InstructionSet::fastest()).bits(0));
+        }
+    }
+}
+
+/// Many cases, so that there is something to share out.
+fn many() -> Vec<Parameters> {
+    let spread = |k: usize, by: f64| (by * k as f64).fract();
+    let golden = [0.618_033_988_749_895, 0.754_877_666_246_693, 0.569_840_290_998_053];
+    (1..=5000)
+        .map(|k| {
+            let [x, y, z] = golden.map(|by| spread(k, by));
+            [0.005 + 0.03 * x, 0.5 + 7.5 * y, 0.80 + 0.15 * z]
+        })
+        .collect()
+}
+
+#[test]
+fn the_bits_are_the_same_on_any_number_of_threads() {
+    let cases = many();
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| run(&cases, 60, InstructionSet::fastest()))
+    };
+    let one = on(1);
+    for threads in [2, 3] {
+        let more = on(threads);
+        assert_eq!(more.tally, one.tally);
+        for case in 0..cases.len() {
+            assert_eq!(more.bits(case), one.bits(case), "{threads} threads, {:?}", cases[case]);
+        }
+    }
+}
+
+#[test]
+fn the_workload_is_that_of_the_oracle_and_hardly_any_flight_is_left_to_the_scalar_code() {
+    let cases = many();
+    let answer = run(&cases, 60, InstructionSet::fastest());
+    let worst = difference(&answer, &cases).unwrap();
+    assert!(worst <= 1.0, "{worst}");
+    assert!(answer.tally.impacts > 290_000 && answer.tally.alone * 500 < answer.tally.impacts, "{:?}", answer.tally);
+}
+
+/// How far two doubles are apart, in units of the last place.
+fn ulps(x: f64, y: f64) -> u64 {
+    x.to_bits().abs_diff(y.to_bits())
+}
+
+/// Where the last digits are not lost to the conditioning of the case, they are those of the oracle.
+#[test]
+fn most_numbers_are_within_four_units_of_the_last_place() {
+    let cases = many();
+    let answer = run(&cases, 60, InstructionSet::fastest());
+    let (mut times, mut velocities, mut intervals, mut all) = (0, 0, 0, 0u32);
+    for (index, case) in cases.iter().enumerate() {
+        for (n, impact) in oracle(*case, 60).impacts.iter().enumerate() {
+            let at = index * 60 + n;
+            times += usize::from(ulps(answer.time[at], impact.time) <= 4);
+            velocities += usize::from(ulps(answer.velocity[at], impact.velocity) <= 4);
+            intervals += usize::from((answer.interval[at] / impact.interval - 1.0).abs() <= 1e-13);
+            all += 1;
+        }
+    }
+    let share = |count: usize| count as f64 / f64::from(all);
+    let shares = [share(times), share(velocities), share(intervals)];
+    assert!(shares[0] > 0.999 && shares[1] > 0.9 && shares[2] > 0.999, "{shares:?}");
+    eprintln!("times {:.5}, velocities {:.5}, intervals {:.5}", shares[0], shares[1], shares[2]);
+}
+
+/// A fault of 1e-13 in one parameter is seen: what is compared is compared closely enough.
+#[test]
+fn a_small_fault_is_caught() {
+    let cases: Vec<_> = many().into_iter().take(100).collect();
+    for parameter in 0..3 {
+        let mut faulty = cases.clone();
+        faulty.iter_mut().for_each(|case| case[parameter] *= 1.0 + 1e-13);
+        let answer = run(&faulty, 60, InstructionSet::fastest());
+        let caught = difference(&answer, &cases).map_or(true, |worst| worst > ALLOWED);
+        assert!(caught, "parameter {parameter}");
+    }
+}
+
+/// Near the critical amplitude, on both sides, where flights graze and are left to the scalar code.
+#[test]
+fn the_critical_amplitude_is_where_the_oracle_has_it() {
+    let cases: Vec<_> = (0..200).map(|k| [0.038_015_538 + 1e-7 * (f64::from(k) - 100.0), 2.0, 0.92]).collect();
+    let answer = run(&cases, 400, InstructionSet::fastest());
+    let worst = difference(&answer, &cases).unwrap();
+    assert!(worst <= ALLOWED, "{worst}");
+    let endings = |of: Ending| answer.sequences.iter().filter(|sequence| sequence.ending == of).count();
+    assert!(endings(Ending::AtRest) > 50 && endings(Ending::Incomplete) > 50 && answer.tally.alone > 50);
+}
+
+#[test]
+fn every_way_to_end_is_told() {
+    let cases =
+        [[0.0, 2.0, 0.92], [-0.5, 2.0, 0.92], [0.03, 2.0, 0.92], [0.05, 2.0, 0.92], [0.03, 2.0, 1e-5], [5.0, 0.3, 0.9]];
+    let answer = run(&cases, 70, InstructionSet::fastest());
+    assert!(difference(&answer, &cases[2..3]).is_err(), "a row of another case");
+    for (index, case) in cases.iter().enumerate() {
+        let history = oracle(*case, 70);
+        let expected = Sequence { impacts: history.impacts.len(), ending: history.ending };
+        assert_eq!(answer.sequences[index], expected, "{case:?}");
+    }
+    let endings: Vec<_> = answer.sequences.iter().map(|sequence| sequence.ending).collect();
+    let never = Ending::NeverRocks;
+    assert_eq!(endings, [never, never, Ending::AtRest, Ending::Incomplete, Ending::AtRest, endings[5]]);
+    // The fifth ends where its speed has left the range of a double.
+    assert!(answer.sequences[4].impacts < 70);
+    let short = run(&cases[2..3], 3, InstructionSet::fastest());
+    assert_eq!(short.sequences, [Sequence { impacts: 3, ending: Ending::LimitReached(Limit::Impacts) }]);
+}
+
+#[test]
+fn what_does_not_fit_is_refused_by_name() {
+    let refused = |epsilon: &[f64], omega: &[f64], eta: &[f64], impacts| {
+        Batch::new(epsilon, omega, eta, impacts).unwrap_err().to_string()
+    };
+    assert_eq!(refused(&[0.1, 0.1], &[2.0], &[0.9, 0.9], 5), "omega has 1 numbers, not 2");
+    assert_eq!(refused(&[0.1], &[2.0], &[], 5), "eta has 0 numbers, not 1");
+    assert_eq!(refused(&[0.1], &[2.0], &[0.9], 0), "no impacts are asked for");
+    assert!(refused(&[0.1, 0.1], &[2.0, 2.0], &[0.9, 1.5], 5).starts_with("case 1: eta = 1.5"));
+    assert!(refused(&[f64::NAN], &[2.0], &[0.9], 5).starts_with("case 0: epsilon = NaN"));
+    assert!(refused(&[0.1], &[1e9], &[0.9], 5).starts_with("case 0: omega = 1000000000.0"));
+    let batch = Batch::new(&[0.1], &[2.0], &[0.9], 5).unwrap();
+    let (mut time, mut interval, mut velocity) = ([0.0; 5], [0.0; 5], [0.0; 4]);
+    let mut sequences = [Sequence::default()];
+    let rows = Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
+    assert_eq!(batch.run(rows), Err(Refusal::Length { what: "velocity", length: 4, expected: 5 }));
+    // No cases are no work.
+    let none = Batch::new(&[], &[], &[], 5).unwrap();
+    let rows = Rows { time: &mut [], interval: &mut [], velocity: &mut [], sequences: &mut [] };
+    assert_eq!(none.run(rows), Ok(Tally::default()));
+}
