@@ -25,7 +25,11 @@ fn the_tolerance_table_is_the_one_in_force() {
 #[test]
 fn what_the_paper_says_wrongly_is_what_a_run_finds() {
     // That the committed summary is what a run gives is for tests/paper.rs.
-    assert_eq!(part("paper"), include_str!("../data/paper/summary.md").trim(), "put data/paper/summary.md into the README");
+    assert_eq!(
+        part("paper"),
+        include_str!("../data/paper/summary.md").trim(),
+        "put data/paper/summary.md into the README"
+    );
 }
 
 #[test]
