@@ -23,7 +23,7 @@ use std::{
 };
 
 use closed_form::{ClosedForm, batch::InstructionSet};
-use contract::{Case, Oracle};
+use contract::{Case, Model, Oracle};
 use serde::{Deserialize, Serialize};
 
 use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
@@ -178,7 +178,7 @@ fn main() -> ExitCode {
         println!("{}", one_thread().install(move || work.run()));
         return ExitCode::SUCCESS;
     }
-    verify_impacts("closed-form", &|case| ClosedForm.history(case).ok(), 1e-12);
+    verify_impacts("closed-form", Model::Linear, &|case| ClosedForm.history(case).ok(), 1e-12);
     for set in InstructionSet::available() {
         Batched::verify(set, 1e-12);
     }
