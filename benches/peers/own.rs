@@ -7,7 +7,10 @@
 use std::{env, fs, hint::black_box, time::Instant};
 
 use asymptotic::{Asymptotic, Order};
-use closed_form::ClosedForm;
+use closed_form::{
+    ClosedForm,
+    batch::{Batch, InstructionSet, Rows, Sequence},
+};
 use contract::{Case, Decline, Ending, History, Model, Oracle};
 use enclosure::Enclosure;
 use ode::{Equation, Flights, Method, Ode};
@@ -129,6 +132,43 @@ fn time(folder: &str) {
             .sum();
         println!("{}", json!({ "setting": setting, "seconds": seconds, "answers": answers }));
     }
+    time_batch(&cases);
+}
+
+/// The impacts of several cases at once, without claims.
+fn batched(cases: &[&Case], impacts: usize) -> Vec<(Vec<f64>, Vec<f64>, String)> {
+    let of = |quantity: fn(&Case) -> f64| cases.iter().map(|case| quantity(case)).collect::<Vec<_>>();
+    let (epsilon, omega, eta) = (of(Case::epsilon), of(Case::omega), of(Case::eta));
+    let mut time = vec![0.0; cases.len() * impacts];
+    let (mut interval, mut velocity) = (time.clone(), time.clone());
+    let mut sequences = vec![Sequence::default(); cases.len()];
+    let rows = Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
+    Batch::new(&epsilon, &omega, &eta, impacts).expect("in range").run(rows).expect("of this shape");
+    let lists = time.chunks(impacts).zip(interval.chunks(impacts)).zip(&sequences);
+    let list = |row: &[f64], sequence: &Sequence| row.iter().take(sequence.impacts).copied().collect();
+    lists
+        .map(|((time, interval), sequence)| {
+            (list(time, sequence), list(interval, sequence), sequence.ending.to_string())
+        })
+        .collect()
+}
+
+/// The line of the closed form in batches: the workload in one, the others one by one.
+fn time_batch(cases: &[(String, Case)]) {
+    let (workload, others): (Vec<_>, Vec<_>) = cases.iter().partition(|(name, _)| name.parse::<usize>().is_ok());
+    let together: Vec<&Case> = workload.iter().map(|(_, case)| case).collect();
+    let mut answers = batched(&together, WORKLOAD.1);
+    answers.extend(others.iter().flat_map(|(_, case)| batched(&[case], case.max_impacts())));
+    let names = workload.iter().chain(&others).map(|(name, _)| name.clone());
+    let answers: serde_json::Map<_, _> = names.zip(answers.into_iter().map(|answer| json!(answer))).collect();
+    let seconds = (0..20 * REPEATS).map(|_| {
+        let start = Instant::now();
+        drop(black_box(batched(black_box(&together), WORKLOAD.1)));
+        start.elapsed().as_secs_f64()
+    });
+    let seconds = seconds.fold(f64::INFINITY, f64::min);
+    let setting = format!("closed-form in a batch, {:?}", InstructionSet::fastest());
+    println!("{}", json!({ "setting": setting, "seconds": seconds, "answers": answers }));
 }
 
 fn main() {

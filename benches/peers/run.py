@@ -7,6 +7,8 @@ import csv
 import importlib
 import json
 import os
+import resource
+import signal
 import subprocess
 import sys
 
@@ -17,7 +19,8 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
 CASES = os.path.join(ROOT, "target", "peers")
 PEERS = ["peer_numba", "peer_heyoka", "peer_cvode", "peer_scipy"]
-PATIENCE = 600.0  # seconds for a setting, everything included
+PATIENCE = 120  # seconds of processor time for a setting, everything included
+SLEEP = 3600  # and of the clock, for one that does nothing
 
 COLUMNS = {
     "peers": "tool,version,setting,cases,cases_lost,impacts,impacts_per_s,closed_form_ratio,worst_time_error_20,"
@@ -40,10 +43,16 @@ def own():
 def ask(module, index):
     """What a peer says in a process of its own, which may fail or hang."""
     command = [sys.executable, os.path.join(HERE, "measure.py"), module, CASES, str(index)]
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
+
     try:
-        answer = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, cwd=HERE)
+        answer = subprocess.run(command, capture_output=True, text=True, timeout=SLEEP, cwd=HERE, preexec_fn=limit)
     except subprocess.TimeoutExpired:
-        return f"timed out after {PATIENCE:g} s"
+        return f"timed out after {SLEEP} s"
+    if answer.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return f"timed out after {PATIENCE} s"
     if answer.returncode:
         return f"error: {(answer.stderr.strip().splitlines() or ['no message'])[-1]}"
     return json.loads(answer.stdout.splitlines()[-1])

@@ -146,7 +146,8 @@ fn resolved(table: &Table) -> Result<String, Error> {
     HeatMap {
         title: "How deep the sequence is followed".into(),
         caption: "The shortest interval up to which all are within 1 %. Oracles are asked for those down to 10⁻³⁰. On one clock a double can't tell \
-                  apart impacts less than 10⁻¹⁶ apart, and most ways lose the sequence long before."
+                  apart impacts less than 10⁻¹⁶ apart, and most ways lose the sequence long before. Right of a_{cr} the sequence ends by \
+                  itself where that of the last panel does."
             .into(),
         x: place(),
         y: Axis::linear("η"),

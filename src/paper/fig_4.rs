@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::{Error, Figure, half_period, phase};
 use crate::{
-    chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table},
-    diagnose::{spread, text},
+    chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table, csv_text},
+    diagnose::spread,
 };
 
 pub(super) const FIGURE: Figure = Figure { name: "fig_4", measure, charts: &[("fig_4.svg", draw)] };
@@ -34,7 +34,7 @@ fn measure() -> Result<String, Error> {
     let mut times: Vec<(f64, Option<u8>)> = even.chain(initiations).collect();
     times.sort_by(|one, other| one.0.total_cmp(&other.0));
     let row = |(tau, initiation)| Row { tau, excitation: A * (OMEGA * tau + psi).sin(), initiation };
-    Ok(text(&times.into_iter().map(row).collect::<Vec<_>>())?)
+    Ok(csv_text(&times.into_iter().map(row).collect::<Vec<_>>())?)
 }
 
 fn draw(table: &Table) -> Result<String, chart::Error> {

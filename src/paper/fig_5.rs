@@ -7,11 +7,8 @@ use serde::Serialize;
 
 use super::{Error, Figure, half_period, missing};
 use crate::{
-    chart::{self, Axis, Draw, LineChart, Mark, Panel, Table},
-    diagnose::{
-        text,
-        truth::{critical_epsilon, proven},
-    },
+    chart::{self, Axis, Draw, LineChart, Mark, Panel, Table, csv_text},
+    diagnose::truth::{critical_epsilon, proven},
     panel, zeno,
 };
 use contract::Case;
@@ -66,7 +63,7 @@ fn measure() -> Result<String, Error> {
     });
     let mut rows = rows.collect::<Result<Vec<_>, Error>>()?.concat();
     rows.sort_by_key(|row| row.method.starts_with("asymptotic"));
-    Ok(text(&rows)?)
+    Ok(csv_text(&rows)?)
 }
 
 /// Eq. 75 with the intervals by the closed form.

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::{Error, Figure};
 use crate::{
-    chart::{self, Axis, Cell, Draw, HeatMap, HeatPanel, LineChart, Panel, Series, Table},
+    chart::{self, Axis, Cell, Draw, HeatMap, HeatPanel, LineChart, Panel, Series, Table, csv_text},
     critical::{eq76, interpolated},
-    diagnose::{spread, text},
+    diagnose::spread,
 };
 
 pub(super) const FIGURE: Figure =
@@ -32,7 +32,7 @@ fn measure() -> Result<String, Error> {
             rows.push(Row { omega, eta, a_cr: 1.0 + interpolated(omega, eta)?, eq76: eq76(omega, eta) });
         }
     }
-    Ok(text(&rows)?)
+    Ok(csv_text(&rows)?)
 }
 
 fn lines(table: &Table) -> Result<String, chart::Error> {

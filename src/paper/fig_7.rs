@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::{Error, Figure};
 use crate::{
-    chart::{self, Axis, Draw, LineChart, Panel, Series, Table},
+    chart::{self, Axis, Draw, LineChart, Panel, Series, Table, csv_text},
     critical::{eq76, eq77, interpolated},
-    diagnose::{spread, text},
+    diagnose::spread,
 };
 
 pub(super) const FIGURE: Figure = Figure { name: "fig_7", measure, charts: &[("fig_7.svg", draw)] };
@@ -33,7 +33,7 @@ fn measure() -> Result<String, Error> {
         let a_cr = 1.0 + interpolated(omega, ETA)?;
         Ok(Row { omega, eta: ETA, a_cr, eq76: eq76(omega, ETA), eq77: eq77(ETA) })
     });
-    Ok(text(&rows.collect::<Result<Vec<_>, Error>>()?)?)
+    Ok(csv_text(&rows.collect::<Result<Vec<_>, Error>>()?)?)
 }
 
 fn draw(table: &Table) -> Result<String, chart::Error> {

@@ -4,7 +4,7 @@ use contract::{Case, Ending, History, Model, Uncertainty};
 
 use crate::{
     atlas::LIFT,
-    panel::{self, Expansion, Ode, Restart, Resummed, Solver},
+    panel::{self, Expansion, Ode, Restart, Resummed},
     specimens::{MoreauJean, Rule, Specimen, Threshold, Verdict},
     zeno,
 };

@@ -57,7 +57,7 @@ pub struct Request {
 impl Default for Request {
     /// The block of the paper's figures at three distances, with impacts enough to close the sum to nearly all digits.
     fn default() -> Self {
-        Self { omega: 2.0, eta: 0.92, percents: vec![(50.0, 80), (90.0, 120), (99.9, 200)], patience: 0.05 }
+        Self { omega: 2.0, eta: 0.92, percents: vec![(50.0, 80), (90.0, 120), (99.9, 200)], patience: 0.1 }
     }
 }
 
