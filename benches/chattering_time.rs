@@ -19,7 +19,6 @@ use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main, meas
 use enclosure::Enclosure;
 use ode::{Equation, Method, Ode};
 use printed::Printed;
-use taylor::Taylor;
 
 use verified::{Proven, chattering_time, proven};
 
@@ -44,10 +43,7 @@ fn setting(oracle: impl Oracle + 'static, impacts: usize, name: impl Into<String
 
 fn methods() -> Vec<Candidate> {
     let by_depth = |name, oracle: fn(usize) -> Setting| Candidate { name, settings: DEPTHS.map(oracle).into() };
-    let mut methods = vec![
-        by_depth("closed-form", |n| setting(ClosedForm, n, format!("{n} impacts"))),
-        by_depth("taylor", |n| setting(Taylor, n, format!("{n} impacts"))),
-    ];
+    let mut methods = vec![by_depth("closed-form", |n| setting(ClosedForm, n, format!("{n} impacts")))];
     for (name, method) in [("ode/tsit45", Method::Tsit45), ("ode/bdf", Method::Bdf), ("ode/esdirk34", Method::Esdirk34)]
     {
         let mut settings = Vec::new();

@@ -5,11 +5,11 @@
 use std::path::Path;
 
 use chattercheck::{
-    reference::{ImpactRow, ProvenTimeRow},
+    reference::{ProvenImpactRow, ProvenTimeRow},
     zeno,
 };
 use closed_form::batch::{Batch, InstructionSet, Rows, Sequence, Tally};
-use contract::{Case, History, Normalisation, Oracle, Slenderness};
+use contract::{Case, History, Model, Normalisation, Oracle, Slenderness};
 use proptest::{
     prelude::*,
     strategy::ValueTree,
@@ -37,15 +37,20 @@ fn table<Row: DeserializeOwned>(name: &str) -> Vec<Row> {
     reader.deserialize().collect::<Result<_, _>>().expect("rows of the table")
 }
 
-/// Makes sure that an oracle has the impacts of the table of reference, each interval to within `tolerance`, relative.
-pub fn verify_impacts(name: &str, run: &dyn Fn(&Case) -> Option<History>, tolerance: f64) {
+/// Makes sure that an oracle has the proven impacts of the model that it solves, each interval to within `tolerance`, relative.
+pub fn verify_impacts(name: &str, model: Model, run: &dyn Fn(&Case) -> Option<History>, tolerance: f64) {
     let mut compared = 0;
-    for row in table::<ImpactRow>("linear_impacts.csv") {
+    for row in table::<ProvenImpactRow>("proven_impacts.csv") {
         let case = Case::from_epsilon(row.epsilon, row.omega, row.eta).expect("a case");
-        let slenderness = Slenderness::new(0.1, Normalisation::Threshold).expect("in range");
-        let Some(history) = run(&case.with_slenderness(slenderness).with_max_impacts(row.n).expect("in range")) else {
-            continue;
+        let case = case.with_max_impacts(row.n).expect("in range");
+        let case = match (model, row.alpha, row.normalisation.as_deref()) {
+            (Model::Linear, None, _) => case,
+            (Model::Nonlinear, Some(alpha), Some("threshold")) => {
+                case.with_slenderness(Slenderness::new(alpha, Normalisation::Threshold).expect("in range"))
+            }
+            _ => continue,
         };
+        let Some(history) = run(&case) else { continue };
         let exact: f64 = row.interval.parse().expect("a number");
         let Some(impact) = history.impacts.get(row.n - 1) else { panic!("{name} has no impact {} of {case:?}", row.n) };
         let error = (impact.interval / exact - 1.0).abs();
@@ -122,7 +127,7 @@ impl Batched {
             let ending = batched.sequences.first()?.ending;
             Some(History { impacts: impacts.collect(), ending, chattering_time: None })
         };
-        verify_impacts(&format!("batch/{set:?}"), &run, tolerance);
+        verify_impacts(&format!("batch/{set:?}"), Model::Linear, &run, tolerance);
     }
 }
 

@@ -1,7 +1,7 @@
-use std::{fs, path::PathBuf};
+use std::{collections::BTreeMap, fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow};
-use chattercheck::{atlas, chart, work_precision};
+use chattercheck::{atlas, chart, plan, work_precision};
 use clap::{Args, ValueEnum};
 
 use super::{Verdict, output::print};
@@ -9,13 +9,14 @@ use super::{Verdict, output::print};
 /// Speed against accuracy, and where methods fail: tables (CSV), and charts (SVG) drawn from them
 ///
 /// The work-precision charts show the error of the chattering time and of impact 40 against what they cost, in seconds and in work. The atlas
-/// shows what each known way of handling the accumulation point does, near and far from the critical amplitude. Some minutes.
+/// shows what each known way of handling the accumulation point does, near and far from the critical amplitude. The plan shows how much model a scene
+/// needs. Some minutes.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Where the files go
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Only one of the two parts
+    /// Only one of the three parts
     #[arg(long, value_enum, value_name = "PART")]
     only: Option<Part>,
     /// Rows of the peers, from benches/peers, to be drawn beside the others
@@ -27,6 +28,7 @@ pub(super) struct Arguments {
 enum Part {
     WorkPrecision,
     Atlas,
+    Plan,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
@@ -47,6 +49,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         let tables = atlas::Tables::measure(&atlas::Request::default(), || bar.inc(1))
             .map_err(|decline| anyhow!("{decline}"))?;
         print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
+    }
+    if wanted(Part::Plan) {
+        let files = BTreeMap::from([("plan_map.csv", chart::text(&plan::map::rows()?)?)]);
+        print(&chart::write(out, &files, &plan::map::CHARTS)?)?;
     }
     bar.finish_and_clear();
     Ok(Verdict::Well)

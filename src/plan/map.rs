@@ -6,13 +6,13 @@ use serde::Serialize;
 
 use super::{Plan, Question};
 use crate::{
-    chart::{self, Axis, Draw, LineChart, Mark, Panel, Point, Series, Table},
+    chart::{self, Axis, Chart, Draw, LineChart, Mark, Panel, Point, Series, Table},
     critical,
     diagnose::spread,
 };
 
-/// The name of the table and of the chart.
-pub const FILES: [&str; 2] = ["plan_map.csv", "plan_map.svg"];
+/// The chart of the map, and its table.
+pub const CHARTS: [Chart; 1] = [Chart { name: "plan_map.svg", table: "plan_map.csv", draw }];
 
 /// The restitution and the frequency ratio of the paper's figures.
 const ETA: f64 = 0.92;

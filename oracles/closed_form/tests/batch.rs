@@ -121,8 +121,8 @@ proptest! {
         let scalar = run(&cases, impacts, InstructionSet::Scalar);
         for set in InstructionSet::available() {
             let answer = run(&cases, impacts, set);
-            for case in 0..cases.len() {
-                prop_assert_eq!(answer.bits(case), scalar.bits(case), "{:?} {:?}", set, cases[case]);
+            for (index, case) in cases.iter().enumerate() {
+                prop_assert_eq!(answer.bits(index), scalar.bits(index), "{:?} {:?}", set, case);
             }
             prop_assert_eq!(answer.tally, scalar.tally);
         }
@@ -168,8 +168,8 @@ fn the_bits_are_the_same_on_any_number_of_threads() {
     for threads in [2, 3] {
         let more = on(threads);
         assert_eq!(more.tally, one.tally);
-        for case in 0..cases.len() {
-            assert_eq!(more.bits(case), one.bits(case), "{threads} threads, {:?}", cases[case]);
+        for (index, case) in cases.iter().enumerate() {
+            assert_eq!(more.bits(index), one.bits(index), "{threads} threads, {case:?}");
         }
     }
 }
@@ -205,7 +205,7 @@ fn most_numbers_are_within_four_units_of_the_last_place() {
     }
     let share = |count: usize| count as f64 / f64::from(all);
     let shares = [share(times), share(velocities), share(intervals)];
-    assert!(shares[0] > 0.999 && shares[1] > 0.9 && shares[2] > 0.999, "{shares:?}");
+    assert!(shares[0] > 0.995 && shares[1] > 0.93 && shares[2] > 0.999_9, "{shares:?}");
     eprintln!("times {:.5}, velocities {:.5}, intervals {:.5}", shares[0], shares[1], shares[2]);
 }
 

@@ -23,6 +23,7 @@ pub(super) const FEW: (usize, f64) = (5, 0.157);
 pub(super) const SOME: (usize, f64) = (6, 0.32);
 
 /// `1/(2m+1)!` and `1/(2m+2)!`, of `z^(m-1)`, from `m = 1`.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler
 const SERIES: [[f64; 2]; TERMS] = {
     let mut rows = [[0.0; 2]; TERMS];
     let (mut index, mut inverse_factorial) = (0, 0.5);
@@ -36,6 +37,7 @@ const SERIES: [[f64; 2]; TERMS] = {
 };
 
 /// `±1/(2m+1)!` and `±1/(2m+2)!`: the coefficients of `δ^2m` in `sin δ/δ` and in `(1 - cos δ)/δ²`, from `m = 0`.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler
 const TURN: [[f64; 2]; TERMS] = {
     let mut rows = [[0.0; 2]; TERMS];
     let (mut index, mut inverse_factorial) = (0, 1.0);
@@ -140,7 +142,7 @@ pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L
     let mut m = turns;
     while m > 0 {
         m -= 1;
-        let [odd, even] = TURN[m];
+        let Some([odd, even]) = TURN.get(m).copied() else { continue };
         (sine, versine) = if m + 1 == turns {
             (s.all(odd), s.all(even))
         } else {
