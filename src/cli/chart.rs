@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
     }
     if wanted(Part::Plan) {
-        let files = BTreeMap::from([("plan_map.csv", chart::text(&plan::map::rows()?)?)]);
+        let files = BTreeMap::from([("plan_map.csv", chart::csv_text(&plan::map::rows()?)?)]);
         print(&chart::write(out, &files, &plan::map::CHARTS)?)?;
     }
     bar.finish_and_clear();
