@@ -53,9 +53,9 @@ def timed(run, parameters):
     best = [float("inf")] * len(parameters)
     for _ in range(REPEATS):
         for index, of_one in enumerate(parameters):
-            start = time.process_time()
+            start = time.thread_time()
             run(*of_one)
-            best[index] = min(best[index], time.process_time() - start)
+            best[index] = min(best[index], time.thread_time() - start)
         if sum(best) > LONG:
             break
     return sum(best)
