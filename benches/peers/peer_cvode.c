@@ -91,7 +91,7 @@ static void launch(struct Flight *p, double tau, double velocity)
 }
 
 struct Solver {
-    Handle context, y, memory, helper, matrix;
+    Handle context, y, memory, inner, matrix;
     struct Flight flight;
 };
 
@@ -106,13 +106,13 @@ static int prepare(struct Solver *s, int method, double rtol, double atol)
     if (!s->y || !s->memory || CVodeInit(s->memory, equation, 0.0, s->y) || CVodeSStolerances(s->memory, rtol, atol))
         return 1;
     if (method == ADAMS) {
-        s->helper = SUNNonlinSol_FixedPoint(s->y, 0, s->context);
-        if (!s->helper || CVodeSetNonlinearSolver(s->memory, s->helper))
+        s->inner = SUNNonlinSol_FixedPoint(s->y, 0, s->context);
+        if (!s->inner || CVodeSetNonlinearSolver(s->memory, s->inner))
             return 1;
     } else {
         s->matrix = SUNDenseMatrix(2, 2, s->context);
-        s->helper = SUNLinSol_Dense(s->y, s->matrix, s->context);
-        if (!s->helper || CVodeSetLinearSolver(s->memory, s->helper, s->matrix))
+        s->inner = SUNLinSol_Dense(s->y, s->matrix, s->context);
+        if (!s->inner || CVodeSetLinearSolver(s->memory, s->inner, s->matrix))
             return 1;
     }
     CVodeSetUserData(s->memory, &s->flight);
