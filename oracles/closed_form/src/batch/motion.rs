@@ -142,7 +142,8 @@ pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L
     let mut m = turns;
     while m > 0 {
         m -= 1;
-        let Some([odd, even]) = TURN.get(m).copied() else { continue };
+        #[allow(clippy::indexing_slicing)] // m < turns <= TERMS; `get` costs the scalar path a third
+        let [odd, even] = TURN[m];
         (sine, versine) = if m + 1 == turns {
             (s.all(odd), s.all(even))
         } else {
