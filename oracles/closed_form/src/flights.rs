@@ -40,7 +40,7 @@ impl Flights {
     }
 
     /// From the base, with the accuracy that chattering needs however deep it is.
-    fn from_base(&self, takeoff: Takeoff) -> Arrival {
+    fn chattering(&self, takeoff: Takeoff) -> Arrival {
         match takeoff.fly() {
             Outcome::Landing(landing) => Arrival::Impact { interval: landing.interval, speed: -landing.velocity },
             // Where the march is, the landing knows too little of the way.
@@ -86,7 +86,7 @@ impl FlightSolver for Flights {
         let takeoff = self.takeoff(departure, horizon);
         // From the base with a speed, or from rest at the threshold itself.
         let chatters = rotation == 0.0 && (velocity > 0.0 || takeoff.forcing.acceleration <= 0.0);
-        if chatters { self.from_base(takeoff) } else { self.marched(&takeoff, rotation) }
+        if chatters { self.chattering(takeoff) } else { self.marched(&takeoff, rotation) }
     }
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {

@@ -189,8 +189,9 @@ fn on_the_global_clock_every_way_to_start_a_flight_fails_in_its_own_way() {
     assert!(
         matches!(lifted.impacts[..], [.., a, _, b] if lifted.impacts.len() > 200 && (a.interval / b.interval - 1.0).abs() < 0.01)
     );
-    // With the step from before the impact it steps over the whole flight.
-    assert_eq!((resolved(&old.impacts), old.ending), (1, Ending::Lost(Loss::FellThrough)));
+    // With the step from before the impact it soon steps over a whole flight.
+    assert!(resolved(&old.impacts) < 50, "{}", resolved(&old.impacts));
+    assert_eq!(old.ending, Ending::Lost(Loss::FellThrough));
 }
 
 #[test]

@@ -5,14 +5,14 @@
 //! in turns with it, each the shortest of many short runs.
 //!
 //! ```text
-//! cargo bench --bench gate                    compare
-//! cargo bench --bench gate -- --planted 30    the same with 30 % of the work done twice: has to fail
-//! cargo bench --bench gate -- --ratio         by the ratio of times even where valgrind is installed
-//! cargo bench --bench gate -- --record        write the record anew
+//! cargo bench -p closed_form --bench gate                    compare
+//! cargo bench -p closed_form --bench gate -- --planted 30    the same with 30 % of the work done twice: has to fail
+//! cargo bench -p closed_form --bench gate -- --ratio         by the ratio of times even where valgrind is installed
+//! cargo bench -p closed_form --bench gate -- --record        write the record anew
 //! ```
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
-mod verified;
+mod workload;
 
 use std::{
     fmt,
@@ -26,7 +26,7 @@ use closed_form::{ClosedForm, batch::InstructionSet};
 use contract::{Case, Model, Oracle};
 use serde::{Deserialize, Serialize};
 
-use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
+use workload::{Batched, IMPACTS, one_thread, verify_impacts, workload};
 
 /// What is gated: neither depends on which instruction sets a machine has beyond the baseline.
 const PATHS: [&str; 3] = ["oracle", "scalar", "baseline"];
@@ -147,7 +147,7 @@ fn instructions(path: &str, planted: f64) -> Option<f64> {
 }
 
 fn record() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/record/throughput.csv")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/record/throughput.csv")
 }
 
 fn measured(path: &str, measure: Measure, planted: f64) -> f64 {
