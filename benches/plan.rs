@@ -11,7 +11,7 @@ use chattercheck::{
     panel::{self, Settings},
     plan::{Method, Outcome, Plan, evidence},
 };
-use contract::{Ending, Model, Oracle as _};
+use contract::{Ending, Model};
 
 const QUESTIONS: usize = 2000;
 /// One in so many is answered by the slow ones.

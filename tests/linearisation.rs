@@ -102,8 +102,8 @@ fn what_is_left_after_the_first_order_falls_as_the_fourth_power() {
             let left = rungs.each_ref().map(|rung| {
                 numbers(rung, n).into_iter().map(|(shift, by)| (by - shift.first_order).abs()).collect::<Vec<_>>()
             });
-            for place in 0..left[0].len() {
-                let order = (left[1][place] / left[2][place]).log2();
+            for (place, (wide, narrow)) in left[1].iter().zip(&left[2]).enumerate() {
+                let order = (wide / narrow).log2();
                 assert!((order - 4.0).abs() < 0.1, "{case:?}, impact {n:?}, number {place}: order {order}");
             }
         }
@@ -196,7 +196,8 @@ impl Oracle for Tampered {
 /// order that are left out of the claims.
 #[test]
 fn shifts_that_are_wrong_are_refuted() {
-    let faults: [(&str, fn(usize, &mut [f64; 3])); 5] = [
+    type Fault = fn(usize, &mut [f64; 3]);
+    let faults: [(&str, Fault); 5] = [
         ("sign", |_, coefficients| coefficients[0] = -coefficients[0]),
         ("half", |_, coefficients| coefficients[0] *= 0.5),
         ("a tenth", |_, coefficients| coefficients[0] *= 1.1),

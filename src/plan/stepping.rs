@@ -48,7 +48,7 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
         let uncertainty = Uncertainty { time: f64::EPSILON * high, interval: ROUNDING, velocity: ROUNDING };
         history.impacts.push(Impact { time: high + low, interval, velocity: departure.side * velocity, uncertainty });
         let count = history.impacts.len();
-        if count < FEWEST || count % STEP != 0 || !(known_complete || solver.rests(&departure)) {
+        if count < FEWEST || !count.is_multiple_of(STEP) || !(known_complete || solver.rests(&departure)) {
             continue;
         }
         if let Some(sum) = zeno::close(&history, case.eta()).filter(|sum| sum.uncertainty <= accuracy * sum.value) {

@@ -147,10 +147,10 @@ impl Runner<'_> {
                         velocity: self.eta * speed,
                         ..departure
                     };
-                    if let Some(end) = self.rest(&departure, now - since, &mut tail, interval, now) {
-                        if departure.ground == Ground::Still || end.1 <= shaken {
-                            break end;
-                        }
+                    if let Some(end) = self.rest(&departure, now - since, &mut tail, interval, now)
+                        && (departure.ground == Ground::Still || end.1 <= shaken)
+                    {
+                        break end;
                     }
                     if impacts >= most {
                         break (BoutEnd::TooManyImpacts, now);

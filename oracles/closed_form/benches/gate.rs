@@ -172,7 +172,8 @@ fn write_record() {
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let after = |flag: &str| arguments.iter().position(|argument| argument == flag).map(|at| &arguments[at + 1..]);
+    let after =
+        |flag: &str| arguments.iter().position(|argument| argument == flag).and_then(|at| arguments.get(at + 1..));
     if let Some([path, count, planted, ..]) = after("--work") {
         let mut work = Work::new(path, count.parse().expect("a number"), planted.parse().expect("a number"));
         println!("{}", one_thread().install(move || work.run()));

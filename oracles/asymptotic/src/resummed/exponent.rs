@@ -19,8 +19,8 @@ use crate::number::Number;
 ///
 /// `ln δ = b + (1/β) ln y + Σ b_s y^s`, with `s = j + l/β`, `j + l > 0`,
 ///
-/// and the difference of that between places a factor of [`RATIO`] apart is linear in `1/β` and the first few `b_s`. (The periodic factor is
-/// strong in the coefficients but hardly shows in their sums on the real axis, and [`RATIO`] is nearly a whole period of it for `η = 0.5`.)
+/// and the difference of that between places a factor of 4 apart is linear in `1/β` and the first few `b_s`. (The periodic factor is
+/// strong in the coefficients but hardly shows in their sums on the real axis, and a factor of 4 is nearly a whole period of it for `η = 0.5`.)
 ///
 /// Its settings were chosen at `ω = 2`, with the formula's value in view. For `η` from 0.5 to 0.97 the error is below 5e-4 for `ω = 2`, and in the tests
 /// for 4, 6 and 8; it was up to 6e-4 for `ω = 1`, and up to 1.4e-3 for `ω = 0.5` and `η` up to 0.6, where the claim says so.
