@@ -116,7 +116,7 @@ fn text(answer: &Answer) -> String {
 fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
     let Answers { chattering_time, impact_times, rest_periods, response, .. } = answers;
     let chattering = chattering_time.as_ref().map(|chattering| {
-        let after = if chattering.after_the_motion { ", most of it after the ground had come to rest" } else { "" };
+        let after = if chattering.after_the_motion { ", counted to its end after the ground had come to rest" } else { "" };
         match (chattering.seconds, chattering.relative_uncertainty, chattering.complete) {
             (Some(seconds), Some(off), _) => {
                 let meets = if off <= tolerance { "meets" } else { "DOES NOT MEET" };
