@@ -23,7 +23,13 @@ struct ProvenImpact {
     interval: String,
 }
 
-const PROVEN_IMPACTS: &str = include_str!("../../../../data/reference/proven_impacts.csv");
+/// The table of proven impacts, from the folder of this package or that of the workspace.
+fn proven_impacts() -> csv::Reader<std::fs::File> {
+    let package = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let paths = ["data", "../../data"].map(|data| package.join(data).join("reference/proven_impacts.csv"));
+    let path = paths.iter().find(|path| path.exists()).expect("the table of reference");
+    csv::Reader::from_path(path).expect("the table of reference")
+}
 
 /// How many impacts of each case of the workload.
 pub const IMPACTS: usize = 60;
@@ -42,7 +48,7 @@ pub fn workload(cases: usize) -> Vec<Case> {
 /// Makes sure that an oracle has the proven impacts of the model that it solves, each interval to within `tolerance`, relative.
 pub fn verify_impacts(name: &str, model: Model, run: &dyn Fn(&Case) -> Option<History>, tolerance: f64) {
     let mut compared = 0;
-    for row in csv::Reader::from_reader(PROVEN_IMPACTS.as_bytes()).deserialize() {
+    for row in proven_impacts().deserialize() {
         let row: ProvenImpact = row.expect("a row of the table");
         let case = Case::from_epsilon(row.epsilon, row.omega, row.eta).expect("a case");
         let case = case.with_max_impacts(row.n).expect("in range");
