@@ -102,10 +102,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict>
     }
     let found = Plan::new(question).answer();
     let (outcome, method) = (found.outcome(), found.method().map_or_else(String::new, |method| method.to_string()));
-    let time = match outcome {
-        Some(Outcome::Complete(time)) => Some(time),
-        _ => None,
-    };
+    let time = found.chattering_time();
     let ending = match outcome {
         None => "no method had an answer",
         Some(Outcome::NeverRocks) => "never rocks",

@@ -84,11 +84,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
 fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answer) -> Document {
     let Question { case, tolerance, .. } = plan.question;
     let chosen = plan.chosen();
-    let mut later = false;
     let rows = plan.candidates.iter().map(|candidate| {
         let is_chosen = chosen.is_some_and(|chosen| chosen.method == candidate.method);
-        let (verdict, why) = verdict(candidate, tolerance, is_chosen, later);
-        later = later || is_chosen;
+        let (verdict, why) = verdict(candidate, tolerance, is_chosen);
         Row {
             method: candidate.method.to_string(),
             errors: candidate.errors.as_ref().ok().copied(),
@@ -99,10 +97,7 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
         }
     });
     let outcome = answer.outcome();
-    let time = match outcome {
-        Some(Outcome::Complete(time)) => Some(time),
-        _ => None,
-    };
+    let time = answer.chattering_time();
     Document {
         title,
         a: case.amplitude(),
@@ -124,7 +119,7 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
     }
 }
 
-fn verdict(candidate: &Candidate, tolerance: f64, is_chosen: bool, later: bool) -> (&'static str, String) {
+fn verdict(candidate: &Candidate, tolerance: f64, is_chosen: bool) -> (&'static str, String) {
     match &candidate.errors {
         Err(why) => ("refused", why.clone()),
         Ok(errors) if is_chosen && errors.total() <= tolerance => {
@@ -132,8 +127,8 @@ fn verdict(candidate: &Candidate, tolerance: f64, is_chosen: bool, later: bool) 
         }
         Ok(_) if is_chosen => ("chosen", "none is accurate enough; this one comes nearest".to_owned()),
         Ok(errors) if errors.total() > tolerance => ("refused", format!("its {} is too large", largest(errors))),
-        Ok(_) if later => ("not needed", "accurate enough, but dearer".to_owned()),
-        Ok(_) => ("refused", "not chosen".to_owned()),
+        // The cheapest of these is the one that is chosen.
+        Ok(_) => ("not needed", "accurate enough, but dearer".to_owned()),
     }
 }
 
