@@ -1,5 +1,5 @@
-//! What `auto` costs against the generic solver at the tolerance that the strictest question needs, on the same 2,000 questions; and what each method costs, from
-//! which the plan's costs are fitted. Every answer is verified against the proven one before anything is timed.
+//! What `auto` costs against the generic solver at the tolerance that the strictest question needs, on the same 2,000 questions; and what each method costs, beside
+//! what the plan predicts. Every answer is verified against the proven one before anything is timed.
 //!
 //! `cargo bench --bench plan`
 #![allow(clippy::unwrap_used)] // A bench that is wrong stops.

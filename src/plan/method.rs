@@ -161,7 +161,7 @@ impl Method {
         }
     }
 
-    /// What it would take in microseconds, by formulas fitted to `cargo bench --bench plan` on the machine of the README; only ratios mean anything.
+    /// About what it would take in microseconds: rough, only the order of the methods is meant. `cargo bench --bench plan` measures it.
     pub(super) fn cost(self, question: &Question) -> f64 {
         let impacts = impacts(question.case.eta(), question.tolerance);
         let squared = |terms: usize| (terms as f64).powi(2);
