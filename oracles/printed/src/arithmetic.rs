@@ -141,6 +141,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn two_numbers_agree_in_at_least_as_many_decimals_as_is_said() {
+        let ar = Arithmetic::new(256).unwrap();
+        for value in [1.0, 1.5, 1.999, 3.0] {
+            for relative in [1e-3, 2e-4, 0.9 / 1024.0, 0.99 / 4096.0, 1e-9, 3e-12, 1.0 / 3.0] {
+                let [a, b] = [value * (1.0 + relative), value].map(|x| ar.number(x));
+                let agreed = agreement(&ar, &a, &b);
+                let decimals = -f64::log10(relative);
+                assert!(agreed as f64 <= decimals && agreed as f64 + 1.61 > decimals, "{value} {relative}: {agreed}");
+            }
+        }
+    }
+
+    #[test]
     fn decimals_are_rounded_and_placed() {
         let ar = Arithmetic::new(256).unwrap();
         for (value, digits, expected) in [

@@ -113,4 +113,23 @@ mod tests {
             assert!(!is_certain(&case, 0.97, 1.9e-5 / omega, f64::INFINITY));
         }
     }
+
+    /// The largest speed of which rest is certain, by the documented inequalities evaluated once more outside of this program.
+    #[test]
+    fn the_largest_certain_speed_is_where_the_inequalities_have_it() {
+        for (amplitude, omega, eta, forcing, side, left, largest) in [
+            (1.03, 2.0, 0.92, 0.43, -1.0, 1.0, 1.855_569_28e-3),
+            (1.2, 8.0, 0.5, 0.3, 1.0, 1.0, 4.678_251_52e-3),
+            (1.01, 0.5, 0.7, -0.6, 1.0, 5.0, 1.509_668_89e-2),
+            (1.03, 0.01, 0.3, 0.5, -1.0, 50.0, 3.197_707_56e-1),
+            (1.03, 0.01, 0.5, -0.2, 1.0, 50.0, 5.156_144_50e-1),
+            (1.1, 1.0, 0.8, 0.9, 1.0, 2.0, 3.792_568_30e-4),
+            (1.03, 2.0, 0.6, 0.1, -1.0, 0.4, 1.818_373_45e-2),
+            (2.0, 0.3, 0.2, 0.6, -1.0, 9.0, 2.963_879_44e-2),
+        ] {
+            let case = Case::from_amplitude(amplitude, omega, eta).unwrap();
+            let certain = |part: f64| is_certain(&case, forcing, side * part * largest, left);
+            assert!(certain(1.0 - 1e-6) && !certain(1.0 + 1e-6), "{amplitude} {omega} {eta} {forcing} {side}");
+        }
+    }
 }

@@ -130,6 +130,11 @@ fn doubles_are_the_decimals_rounded() {
 }
 
 #[test]
+fn it_answers_to_the_name_by_which_it_is_asked() {
+    assert_eq!((Printed::default().name(), Printed::default().model()), ("printed", contract::Model::Linear));
+}
+
+#[test]
 fn every_history_has_the_ending_of_the_contract() {
     let ending = |case: Case| Printed::default().history(&case).map(|history| (history.ending, history.impacts.len()));
     let complete = case(1.03, 2.0, 0.92);
