@@ -189,3 +189,16 @@ fn listed(case: &Case, chattering_time: Estimate, known: impl Iterator<Item = Im
     }
     History { impacts, ending, chattering_time: Some(chattering_time) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn as_many_impacts_as_are_allowed_are_given() {
+        let case =
+            |impacts| Case::from_amplitude(1.03, 2.0, 0.92).and_then(|case| case.with_max_impacts(impacts)).unwrap();
+        assert_eq!(most_impacts(&case(5000)), Ok(5000));
+        assert!(matches!(most_impacts(&case(5001)), Err(Decline::OutOfRange { field: "impacts", value: 5001.0, .. })));
+    }
+}

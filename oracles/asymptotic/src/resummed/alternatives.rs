@@ -115,3 +115,43 @@ fn root(coefficients: &[f64], value: f64) -> Option<f64> {
     }
     Some(0.5 * (low + high))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half way to `a_cr` all of them are the series that they were made from; the more of it, the better.
+    #[test]
+    fn well_below_the_critical_amplitude_every_way_is_the_series() {
+        let critical = 0.038_015_5;
+        let truth = Expansion::new(2.0, 0.92, 60, 0).unwrap();
+        let ways: [fn(&Expansion) -> Option<Alternative>; 3] = [
+            |expansion| Some(Alternative::reverted(expansion)),
+            |expansion| Some(Alternative::truncated(expansion)),
+            Alternative::pade,
+        ];
+        for (name, way) in ["reverted", "truncated", "pade"].into_iter().zip(ways) {
+            for (terms, worst, best) in [(8, 1e-4, 2e-7), (20, 1e-8, 1e-12)] {
+                let way = way(&Expansion::new(2.0, 0.92, terms, 0).unwrap()).unwrap();
+                let error = |share: f64| {
+                    let epsilon = share * critical;
+                    let expected = truth.chattering_time(50, epsilon).unwrap().value;
+                    (way.chattering_time(epsilon).unwrap() / expected - 1.0).abs()
+                };
+                println!("{name} {terms}: {:e} {:e}", error(0.25), error(0.5));
+                assert!(error(0.5) < worst && error(0.25) < best, "{name} of {terms} terms");
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_root_is_found_in_the_cell_that_brackets_it() {
+        for value in [1e-3, 0.3, 0.5012, 0.9999] {
+            assert!((root(&[1.0], value).unwrap() - value).abs() < 1e-15);
+            assert!((root(&[0.0, 1.0], value).unwrap() - f64::sqrt(value)).abs() < 1e-15);
+        }
+        // 4x (1 - x) is 0.64 at 0.2 and at 0.8, and never 2.
+        assert!((root(&[4.0, -4.0], 0.64).unwrap() - 0.2).abs() < 1e-14);
+        assert_eq!(root(&[4.0, -4.0], 2.0), None);
+    }
+}
