@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     lanes::{Lanes, Twofold},
-    motion::{FEW, REACH, SOME, Start, Step, TERMS, step},
+    motion::{FEW, REACH, SHORT, SOME, Start, Step, TERMS, step},
 };
 
 /// How many steps are tried before a flight is left to the scalar code.
@@ -28,6 +28,7 @@ pub(super) struct Blocks<L: Lanes> {
     pub cosine: L,
     /// `max(1, ω)`.
     pub rate: L,
+    pub squared: L,
     /// The `q` of `flow`.
     pub series: [L; TERMS],
     /// What `rest` needs of the case: `x (1 - x)(1 - η²)/(2 exp(x/(2(1 - x))))`.
@@ -48,6 +49,7 @@ pub(super) struct Blocks<L: Lanes> {
 }
 
 /// What a flight ends with.
+#[derive(Clone, Copy)]
 pub(super) struct Landed<L: Lanes> {
     pub time: L,
     pub interval: L,
@@ -88,20 +90,28 @@ fn further<L: Lanes, const N: usize>(
 }
 
 impl<L: Lanes> Blocks<L> {
-    /// One flight of each block, all to the same side.
+    /// What drives the flight that each block is about to make, and where it may end.
     #[inline(always)]
-    pub fn fly<const FIRST_SIDE: bool>(&mut self) -> Landed<L> {
-        let (one, zero) = (self.omega.all(1.0), self.omega.all(0.0));
-        let squared = self.omega * self.omega;
+    pub fn take_off(&self) -> (Start<L>, L) {
         let start = Start {
             speed: self.speed.value(),
             acceleration: self.acceleration,
             jerk: self.jerk,
-            snap: -(squared * (one + self.acceleration)),
+            snap: -(self.squared * self.acceleration.plus(1.0)),
         };
+        (start, self.guess(&start))
+    }
+
+    /// The blocks after the impact that ends their flights, all to the same side.
+    #[inline(always)]
+    pub fn hit<const FIRST_SIDE: bool>(
+        &mut self,
+        start: &Start<L>,
+        (landing, found): &(Step<L>, L::Mask),
+    ) -> Landed<L> {
+        let (one, zero) = (self.omega.all(1.0), self.omega.all(0.0));
         let busy = zero.below(self.busy);
-        let (landing, found) = self.land(&start, busy);
-        let first = self.is_first(&start, squared, landing.interval, busy);
+        let first = self.is_first(start, landing.interval, busy);
 
         let before = [self.time, self.speed];
         self.time = self.time.plus(landing.interval);
@@ -116,10 +126,10 @@ impl<L: Lanes> Blocks<L> {
             forcing::<L, true>(self.cosine, self.omega, self.sin.value(), cos)
         };
         (self.acceleration, self.jerk) = (acceleration, jerk);
+        let sure = *found & first & cos.all(NEARLY_OVER).below(cos) & speed.all(SLOWEST).below(speed);
         if L::any(busy & self.complete.below(one)) {
-            self.complete = one.or(self.rests(speed), self.complete);
+            self.complete = one.or(self.rests(speed) & sure, self.complete);
         }
-        let sure = found & first & cos.all(NEARLY_OVER).below(cos) & speed.all(SLOWEST).below(speed);
         Landed {
             time,
             interval: landing.interval,
@@ -131,16 +141,22 @@ impl<L: Lanes> Blocks<L> {
 
     /// The impact that the flight comes to, and where one is found.
     #[inline(always)]
-    fn land(&self, start: &Start<L>, busy: L::Mask) -> (Step<L>, L::Mask) {
+    pub fn land(&self, start: &Start<L>, s: L) -> (Step<L>, L::Mask) {
         let nothing = self.omega.all(0.0);
-        let s = self.guess(start, busy);
+        let busy = nothing.below(self.busy);
         let x = self.rate * s;
         let inside = nothing.below(s) & x.below(x.all(FEW.1));
-        // Most flights are short, and need one step.
+        let short = x.below(x.all(SHORT.1));
         let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, inside & !inside);
         let mut open = busy;
         let mut steps = 0;
-        if !L::any(busy & !inside) {
+        // Most flights are short, and need one step.
+        if !L::any(busy & !(inside & short)) {
+            steps = 1;
+            let (next, last) = step::<L, { SHORT.0 }>(self, start, s);
+            (here, found) = (next, last & inside);
+            open = busy & !found;
+        } else if !L::any(busy & !(inside & !short)) {
             steps = 1;
             let (next, last) = step::<L, { FEW.0 }>(self, start, s);
             (here, found) = (next, last & inside);
@@ -152,8 +168,9 @@ impl<L: Lanes> Blocks<L> {
             let x = self.rate * s;
             open = open & nothing.below(s) & x.below(x.all(REACH));
             // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
-            let (few, some) = (x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
-            (here, found) = further::<L, { FEW.0 }>(self, start, s, open & few, (here, found));
+            let (short, few, some) = (x.below(x.all(SHORT.1)), x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
+            (here, found) = further::<L, { SHORT.0 }>(self, start, s, open & short, (here, found));
+            (here, found) = further::<L, { FEW.0 }>(self, start, s, open & few & !short, (here, found));
             (here, found) = further::<L, { SOME.0 }>(self, start, s, open & some & !few, (here, found));
             (here, found) = further::<L, TERMS>(self, start, s, open & !some, (here, found));
             open = open & !found;
@@ -163,8 +180,9 @@ impl<L: Lanes> Blocks<L> {
 
     /// Where the flight may end; see `flight`.
     #[inline(always)]
-    fn guess(&self, start: &Start<L>, busy: L::Mask) -> L {
+    fn guess(&self, start: &Start<L>) -> L {
         let Start { speed, acceleration, jerk, snap } = *start;
+        let busy = speed.all(0.0).below(self.busy);
         let one = speed.all(1.0);
         let inverse = one / acceleration;
         let inverse_squared = inverse * inverse;
@@ -175,9 +193,10 @@ impl<L: Lanes> Blocks<L> {
         // and one term more than there: that of t⁴, (v + q j) parabola⁴/(120 v), nearly
         let [_, q, ..] = self.series;
         let fourth = (q * (parabola * parabola)).by(1.0 / 20.0);
-        let near = (e * fourth + e.plus(1.0))
-            + e_squared * (e.by(5.0).plus(2.0) + e_squared * e.by(42.0).plus(14.0))
-            + d * (e.by(5.0).plus(1.0) + (d.by(3.0) + e_squared.by(21.0)));
+        let five = e.by(5.0);
+        let odd = e_squared.times_plus(e.by(42.0).plus(14.0), five.plus(2.0));
+        let mixed = e_squared.times_plus(e.all(21.0), five.plus(1.0)) + d.by(3.0);
+        let near = d.times_plus(mixed, e_squared.times_plus(odd, e.times_plus(fourth, e.plus(1.0))));
         let falls = self.speed.high.all(0.0).below(parabola);
         let small = e.abs().below(e.all(0.12));
         let far = busy & falls & !small;
@@ -201,7 +220,7 @@ impl<L: Lanes> Blocks<L> {
     ///
     /// The forcing is `b(s) = b + j sin(ωs)/ω + k (1 - cos ωs)/ω²`, so `b + min(j, 0) s + min(k, 0) s²/2` is below it, and with `max` above.
     #[inline(always)]
-    fn is_first(&self, start: &Start<L>, squared: L, s: L, busy: L::Mask) -> L::Mask {
+    fn is_first(&self, start: &Start<L>, s: L, busy: L::Mask) -> L::Mask {
         let Start { speed, acceleration, jerk, snap } = *start;
         let zero = s.all(0.0);
         let rise = jerk.max(zero) + s * snap.max(zero).by(0.5);
@@ -215,9 +234,9 @@ impl<L: Lanes> Blocks<L> {
             let sinh = s * nested(z, [1.0 / 6.0, 1.0 / 20.0, 1.2 / 42.0]);
             let cosh = z * nested(z, [1.0 / 12.0, 1.0 / 30.0, 1.2 / 56.0]);
             let height = speed * sinh + (self.epsilon * cosh).by(0.5);
-            let excess = squared.plus(-1.0);
+            let excess = self.squared.plus(-1.0);
             let drive = (-(excess * self.epsilon)).or(excess.below(zero), excess * (-lowest).max(zero));
-            let bounded = snap.below(zero) & ((height - squared) + drive).below(zero);
+            let bounded = snap.below(zero) & ((height - self.squared) + drive).below(zero);
             let turns = acceleration.below(zero) & zero.below(speed + jerk);
             proven = proven | (bounded & !turns);
         }
@@ -269,6 +288,7 @@ impl<L: Lanes> Blocks<L> {
         self.cosine = (epsilon * epsilon.plus(2.0)).sqrt();
         self.rate = omega.max(one);
         let squared = omega * omega;
+        self.squared = squared;
         let mut q = one;
         for series in &mut self.series {
             *series = q;
@@ -311,6 +331,7 @@ impl<L: Lanes> Blocks<L> {
             eta: zero,
             cosine: zero,
             rate: zero,
+            squared: zero,
             series: [zero; TERMS],
             room: zero,
             first: zero,

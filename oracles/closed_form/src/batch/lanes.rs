@@ -3,7 +3,7 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// What is asked of lanes. Every operation is one of IEEE 754, rounded once, in each lane.
+/// What is asked of lanes. Every operation but [`Lanes::times_plus`] is one of IEEE 754, rounded once, in each lane.
 ///
 /// Nothing here, and nothing that is computed with it, may be a closure: one that the compiler leaves out of line is compiled without the
 /// instruction set that its caller was chosen for.
@@ -21,6 +21,9 @@ pub(super) trait Lanes:
 
     /// `self · factor - product`, rounded once.
     fn residue(self, factor: Self, product: Self) -> Self;
+
+    /// `self · factor + term`, rounded once where the instruction set can, and else twice.
+    fn times_plus(self, factor: Self, term: Self) -> Self;
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -79,6 +82,11 @@ impl Lanes for f64 {
     #[inline(always)]
     fn residue(self, factor: Self, product: Self) -> Self {
         by_splitting(self, factor, product)
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
     }
 
     #[inline(always)]
@@ -155,7 +163,7 @@ impl<L: Lanes> Twofold<L> {
     #[inline(always)]
     pub fn times(self, factor: L) -> Self {
         let high = self.high * factor;
-        Self { high, low: self.high.residue(factor, high) + self.low * factor }
+        Self { high, low: self.low.times_plus(factor, self.high.residue(factor, high)) }
     }
 
     /// The nearest number.
@@ -238,6 +246,11 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     #[inline(always)]
     fn residue(self, factor: Self, product: Self) -> Self {
         each!(self, index, self.0[index].residue(factor.0[index], product.0[index]))
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        each!(self, index, self.0[index].times_plus(factor.0[index], term.0[index]))
     }
 
     #[inline(always)]

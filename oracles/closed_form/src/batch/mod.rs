@@ -1,7 +1,8 @@
 //! Many cases at once.
 //!
-//! Each case is in a lane of its own, and goes through the same formulas as in `sequence`, in an order of operations that is the same on every
-//! instruction set: the bits of a case depend neither on that, nor on the number of threads, nor on the other cases. What the lanes are not made
+//! Each case is in a lane of its own, and goes through the same formulas as in `sequence`, in the same order of operations on every instruction set. The
+//! bits of a case depend neither on the number of threads, nor on the other cases, nor on how many lanes there are: only on whether the instruction set has a
+//! fused multiply-add ([`InstructionSet`]). What the lanes are not made
 //! for (a flight that grazes, that ends at `T/2`, whose impact is not proven to be the first in one of the two quick ways) is done by the
 //! scalar code, and the case goes on in its lane. There are no claims: they are what [`ClosedForm`](crate::ClosedForm) takes its time for.
 //!
@@ -27,6 +28,7 @@
 mod blocks;
 mod lanes;
 mod motion;
+mod order;
 mod pool;
 mod refusal;
 mod registers;

@@ -18,7 +18,8 @@ use super::{
 pub(super) const TERMS: usize = 11;
 pub(super) const REACH: f64 = 2.3;
 
-/// The same for few and for some terms.
+/// The same for fewer terms.
+pub(super) const SHORT: (usize, f64) = (3, 0.012);
 pub(super) const FEW: (usize, f64) = (5, 0.157);
 pub(super) const SOME: (usize, f64) = (6, 0.32);
 
@@ -90,73 +91,86 @@ fn coefficients<L: Lanes>(blocks: &Blocks<L>, start: &Start<L>, m: usize) -> [L;
     let (Some(q), Some([odd, even])) = (blocks.series.get(m), SERIES.get(m)) else {
         return [start.speed; 2];
     };
+    let Start { speed, acceleration, jerk, snap } = *start;
     // q = 1 for m = 0
-    let [jerk, snap] = if m == 0 { [start.jerk, start.snap] } else { [*q * start.jerk, *q * start.snap] };
-    [(start.speed + jerk).by(*odd), (start.acceleration + snap).by(*even)]
+    let [o, e] = if m == 0 {
+        [speed + jerk, acceleration + snap]
+    } else {
+        [q.times_plus(jerk, speed), q.times_plus(snap, acceleration)]
+    };
+    [o.by(*odd), e.by(*even)]
 }
 
-/// One step of Newton's method, with Halley's correction, from `s` towards the impact, by `N` terms of each series; and where it is the last.
+/// One step from `s` towards the impact, by `N` terms of each series; and where it is the last. Newton's step, with Halley's correction but for
+/// `N = SHORT.0`.
 #[inline(always)]
 pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L>, s: L) -> (Step<L>, L::Mask) {
     let z = s * s;
     // O, E, their derivatives and half their second derivatives by z.
     let [odd, even] = coefficients(blocks, start, N - 1);
     let [odd_next, even_next] = coefficients(blocks, start, N - 2);
-    let (mut o, mut o1, mut o2) = (odd * z + odd_next, odd, odd);
-    let (mut e, mut e1, mut e2) = (even * z + even_next, even, even);
+    let (mut o, mut o1, mut o2) = (odd.times_plus(z, odd_next), odd, odd);
+    let (mut e, mut e1, mut e2) = (even.times_plus(z, even_next), even, even);
     let mut m = N - 2;
     while m > 0 {
         m -= 1;
         let [odd, even] = coefficients(blocks, start, m);
         if m + 3 < N {
-            (o2, e2) = (o2 * z + o1, e2 * z + e1);
+            (o2, e2) = (o2.times_plus(z, o1), e2.times_plus(z, e1));
         }
-        (o1, e1) = (o1 * z + o, e1 * z + e);
-        (o, e) = (o * z + odd, e * z + even);
+        (o1, e1) = (o1.times_plus(z, o), e1.times_plus(z, e));
+        (o, e) = (o.times_plus(z, odd), e.times_plus(z, even));
     }
     // h = u/s, the gain, and how that grows along s: the formulas of `flow`.
     let speed = start.speed;
-    let deflated = speed + ((s * start.acceleration).by(0.5) + z * (o + s * e));
-    let gain = z * ((o + z * (o1 + o1)) + (s + s) * (e + z * e1));
-    let eight_z = z.by(8.0);
-    let bend = z * (((o + o) + z * (o1.by(10.0) + eight_z * o2)) + s * (e.by(6.0) + z * (e1.by(14.0) + eight_z * e2)));
+    let twice = s + s;
+    let deflated = z.times_plus(s.times_plus(e, o), (s * start.acceleration).by(0.5)) + speed;
+    let gain = z * twice.times_plus(z.times_plus(e1, e), (z + z).times_plus(o1, o));
     let slope = (deflated - speed) + gain;
     let inverse = s.all(-1.0) / slope;
     let newton = deflated * inverse;
-    let step = newton + (newton * newton).by(0.5) * (bend * inverse);
-
-    // The gain at the end of the step. Its second derivative along s is 4 bend - 6 gain up to the fourth order of u.
-    let gain = gain + step * (bend + step * ((bend + bend) - gain.by(3.0)));
-    // What that leaves out is of order x² bend step² and step³.
-    let leap = blocks.rate * s * step;
-    let small = step.abs().below(s.all(1e-5));
-    let exact = (leap * leap * bend.abs()).below((speed - gain).abs().by(2.5e-16));
+    let (step, gain, exact) = if N == SHORT.0 {
+        let bend = (gain + gain) + z * s.times_plus(e + e, (z * o1).by(6.0));
+        let gain = newton.times_plus(bend, gain);
+        // What is left out of the step and of the gain is newton² bend, in relation to the speed.
+        let small = newton.abs().below(s.all(2e-8));
+        (newton, gain, small & (newton * newton * bend.abs()).below((speed - gain).abs().by(1e-16)))
+    } else {
+        let eight_z = z.by(8.0);
+        let odd = z.times_plus(eight_z.times_plus(o2, o1.by(10.0)), o + o);
+        let even = z.times_plus(eight_z.times_plus(e2, e1.by(14.0)), e.by(6.0));
+        let bend = z * s.times_plus(even, odd);
+        let step = (newton * newton).by(0.5).times_plus(bend * inverse, newton);
+        // The gain at the end of the step. Its second derivative along s is 4 bend - 6 gain up to the fourth order of u.
+        let curved = step.times_plus((bend + bend) - gain.by(3.0), bend);
+        let gain = step.times_plus(curved, gain);
+        // What that leaves out is of order x² bend step² and step³.
+        let leap = blocks.rate * s * step;
+        let small = step.abs().below(s.all(1e-5));
+        (step, gain, small & (leap * leap * bend.abs()).below((speed - gain).abs().by(2.5e-16)))
+    };
+    let interval = s.times_plus(step, s);
     // A root is crossed downwards.
-    let last = small & exact & slope.below(s.all(0.0));
+    let last = exact & slope.below(s.all(0.0));
+    (Step { interval, gain, turn: turn::<L, N>(blocks, interval) }, last)
+}
 
-    // The turn to s, and the small one to the end of the step.
-    let half = (blocks.omega * s).by(0.5);
+/// By how much the sine of half the phase has grown after a local time, and its cosine shrunk, by `N` terms of each series.
+#[inline(always)]
+fn turn<L: Lanes, const N: usize>(blocks: &Blocks<L>, interval: L) -> [L; 2] {
+    let half = (blocks.omega * interval).by(0.5);
     let square = half * half;
-    let (mut sine, mut versine) = (s.all(0.0), s.all(0.0));
+    let (mut sine, mut versine) = (half, half);
     let turns = if N < 10 { N } else { 10 };
     let mut m = turns;
     while m > 0 {
         m -= 1;
         #[allow(clippy::indexing_slicing)] // m < turns <= TERMS; `get` costs the scalar path a third
-        let [odd, even] = TURN[m];
-        (sine, versine) = if m + 1 == turns {
-            (s.all(odd), s.all(even))
-        } else {
-            ((sine * square).plus(odd), (versine * square).plus(even))
-        };
+        let [odd, even] = TURN[m].map(|coefficient| half.all(coefficient));
+        (sine, versine) =
+            if m + 1 == turns { (odd, even) } else { (sine.times_plus(square, odd), versine.times_plus(square, even)) };
     }
     let (sine, versine) = (half * sine, square * versine);
     let Blocks { sin: Twofold { high: sin, .. }, cos: Twofold { high: cos, .. }, .. } = *blocks;
-    let up = cos * sine - sin * versine;
-    let down = sin * sine + cos * versine;
-    let small_turn = half * step;
-    let half_turn = small_turn.by(0.5);
-    let (sin, cos) = (sin + up, cos - down);
-    let turn = [up + small_turn * (cos - half_turn * sin), down + small_turn * (sin + half_turn * cos)];
-    (Step { interval: s + s * step, gain, turn }, last)
+    [cos.times_plus(sine, -(sin * versine)), sin.times_plus(sine, cos * versine)]
 }

@@ -3,9 +3,10 @@
 use contract::{Ending, Limit};
 
 use super::{
-    Rows, Sequence, Tally, Work,
+    CHUNK, Rows, Sequence, Tally, Work,
     blocks::{Blocks, Landed},
     lanes::Lanes,
+    order,
     single::{Finished, Single},
 };
 
@@ -26,16 +27,18 @@ struct Place {
 /// One quantity of the impacts that are not written yet, in all lanes.
 type Held = [[f64; MOST_LANES]; HELD];
 
-/// Lanes with the cases that are in them.
-struct Pool<'a, 'r, L: Lanes> {
+/// Lanes with the cases that are in them, in groups of a register each. A flight is a long chain of operations that wait for each other; the processor
+/// works on the next group meanwhile.
+struct Pool<'a, 'r, L: Lanes, const GROUPS: usize> {
     work: &'a Work<'a>,
     rows: &'a mut Rows<'r>,
-    blocks: Blocks<L>,
+    blocks: [Blocks<L>; GROUPS],
     /// What is in each lane, if anything.
     places: [Option<Place>; MOST_LANES],
     /// How many lanes are free.
     free: usize,
-    /// The case to be taken next.
+    /// The cases in the order in which they are taken, and how many are.
+    order: [u16; CHUNK],
     next: usize,
     held: [Held; 3],
     count: usize,
@@ -44,15 +47,16 @@ struct Pool<'a, 'r, L: Lanes> {
     tally: Tally,
 }
 
-/// Follows all cases of the work.
+/// Follows all cases of the work, `GROUPS` registers at a time.
 #[inline(always)]
-pub(super) fn run<L: Lanes>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
-    let mut pool = Pool {
+pub(super) fn run<L: Lanes, const GROUPS: usize>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
+    let mut pool = Pool::<L, GROUPS> {
         work,
         rows,
-        blocks: Blocks::idle(zero),
+        blocks: [Blocks::idle(zero); GROUPS],
         places: [None; MOST_LANES],
-        free: L::COUNT,
+        free: GROUPS * L::COUNT,
+        order: order::alike(work),
         next: 0,
         held: [[[0.0; MOST_LANES]; HELD]; 3],
         count: 0,
@@ -67,34 +71,45 @@ pub(super) fn run<L: Lanes>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
     pool.tally
 }
 
-impl<L: Lanes> Pool<'_, '_, L> {
+impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
+    /// How many lanes there are.
+    const LANES: usize = GROUPS * L::COUNT;
+
     /// Puts cases into the lanes that are free, if half of them are; whether any lane is busy then.
     ///
     /// To wait for half of them keeps the lanes in step: the first flights are long, and ask for more terms of the series than the later ones.
     #[inline(always)]
     fn refill(&mut self) -> bool {
-        if 2 * self.free >= L::COUNT && self.next < self.work.epsilon.len() {
+        if 2 * self.free >= Self::LANES && self.next < self.work.epsilon.len() {
             self.write();
             self.take_cases();
-            self.blocks.prepare();
+            for blocks in &mut self.blocks {
+                blocks.prepare();
+            }
         }
-        self.free < L::COUNT
+        self.free < Self::LANES
     }
 
     /// Puts cases into the free lanes.
     #[inline(never)]
     fn take_cases(&mut self) {
         let Work { epsilon, omega, eta, impacts } = *self.work;
-        let mut cases = epsilon.iter().zip(omega).zip(eta).enumerate().skip(self.next);
-        let blocks = &mut self.blocks;
-        for (lane, place) in self.places.iter_mut().enumerate().take(L::COUNT) {
+        let mut cases = self.order.iter().take(epsilon.len()).skip(self.next);
+        for (lane, place) in self.places.iter_mut().enumerate().take(Self::LANES) {
             if place.is_some() {
                 continue;
             }
-            for (case, ((epsilon, omega), eta)) in cases.by_ref() {
-                self.next = case + 1;
+            for case in cases.by_ref() {
+                let case = usize::from(*case);
+                self.next += 1;
+                let (Some(epsilon), Some(omega), Some(eta)) = (epsilon.get(case), omega.get(case), eta.get(case))
+                else {
+                    continue;
+                };
                 if *epsilon > 0.0 {
-                    blocks.start(lane, *epsilon, *omega, *eta);
+                    if let Some(blocks) = self.blocks.get_mut(lane / L::COUNT) {
+                        blocks.start(lane % L::COUNT, *epsilon, *omega, *eta);
+                    }
                     *place = Some(Place { case, written: 0 });
                     self.free -= 1;
                     break;
@@ -108,12 +123,35 @@ impl<L: Lanes> Pool<'_, '_, L> {
     /// One flight of every lane.
     #[inline(always)]
     fn fly<const FIRST_SIDE: bool>(&mut self) {
-        let landed = self.blocks.fly::<FIRST_SIDE>();
-        if L::any(landed.unsure) {
-            let unsure = landed.time.all(1.0).or(landed.unsure, landed.time.all(0.0));
-            self.alone(&landed, &unsure, if FIRST_SIDE { -1.0 } else { 1.0 });
+        // One stage for all groups before the next: each is short enough that the processor has the next group's in sight.
+        let mut starts = [None; GROUPS];
+        for (start, blocks) in starts.iter_mut().zip(&self.blocks) {
+            *start = Some(blocks.take_off());
+        }
+        let mut landings = [None; GROUPS];
+        for ((landing, blocks), start) in landings.iter_mut().zip(&self.blocks).zip(&starts) {
+            if let Some((start, guess)) = start {
+                *landing = Some(blocks.land(start, *guess));
+            }
+        }
+        let mut unsure = false;
+        let mut landed = [None; GROUPS];
+        let all = self.blocks.iter_mut().zip(&starts).zip(&landings).zip(&mut landed);
+        for (group, (((blocks, start), landing), landed)) in all.enumerate() {
+            let (Some((start, _)), Some(landing)) = (start, landing) else { continue };
+            let flights = blocks.hit::<FIRST_SIDE>(start, landing);
+            unsure = unsure | L::any(flights.unsure);
+            for (held, quantity) in self.held.iter_mut().zip([&flights.time, &flights.interval, &flights.velocity]) {
+                if let Some(place) = held.get_mut(self.count).and_then(|lanes| lanes.get_mut(group * L::COUNT..)) {
+                    quantity.copy_to(place);
+                }
+            }
+            *landed = Some(flights);
+        }
+        if unsure {
+            self.alone(&landed, if FIRST_SIDE { -1.0 } else { 1.0 });
         } else {
-            self.hold(&landed.time, &landed.interval, &landed.velocity);
+            self.count += 1;
         }
         if self.count == self.room {
             self.write();
@@ -123,21 +161,11 @@ impl<L: Lanes> Pool<'_, '_, L> {
         }
     }
 
-    #[inline(always)]
-    fn hold(&mut self, time: &L, interval: &L, velocity: &L) {
-        for (held, quantity) in self.held.iter_mut().zip([time, interval, velocity]) {
-            if let Some(place) = held.get_mut(self.count) {
-                quantity.copy_to(place);
-            }
-        }
-        self.count += 1;
-    }
-
     /// Writes the impacts that are held.
     #[inline(never)]
     fn write(&mut self) {
         let count = self.count;
-        for (lane, place) in self.places.iter_mut().enumerate().take(L::COUNT) {
+        for (lane, place) in self.places.iter_mut().enumerate().take(Self::LANES) {
             let Some(place) = place else { continue };
             let start = place.case * self.work.impacts + place.written;
             for (row, held) in self.rows.quantities().into_iter().zip(&self.held) {
@@ -155,10 +183,11 @@ impl<L: Lanes> Pool<'_, '_, L> {
     /// Ends the cases that have all the impacts that are asked for.
     #[inline(never)]
     fn finish(&mut self) {
-        for lane in 0..L::COUNT {
+        for lane in 0..Self::LANES {
             let Some(Some(place)) = self.places.get(lane) else { continue };
             if place.written == self.work.impacts {
-                let complete = self.blocks.complete.lane(lane) == 1.0;
+                let blocks = self.blocks.get(lane / L::COUNT);
+                let complete = blocks.is_some_and(|blocks| blocks.complete.lane(lane % L::COUNT) == 1.0);
                 self.end(lane, if complete { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) });
             }
         }
@@ -172,7 +201,9 @@ impl<L: Lanes> Pool<'_, '_, L> {
     }
 
     fn end(&mut self, lane: usize, ending: Ending) {
-        self.blocks.busy.set_lane(lane, 0.0);
+        if let Some(blocks) = self.blocks.get_mut(lane / L::COUNT) {
+            blocks.busy.set_lane(lane % L::COUNT, 0.0);
+        }
         if let Some(Place { case, written }) = self.places.get_mut(lane).and_then(Option::take) {
             self.free += 1;
             self.rows.end(case, self.work.impacts, Sequence { impacts: written, ending });
@@ -180,42 +211,60 @@ impl<L: Lanes> Pool<'_, '_, L> {
         }
     }
 
-    /// The flights that the lanes are not sure of, by the scalar code; the others as they are.
+    /// The flights that the lanes are not sure of, by the scalar code; the others as they are. All are among the impacts that are held, but not counted yet.
     #[cold]
     #[inline(never)]
-    fn alone(&mut self, landed: &Landed<L>, unsure: &L, sign: f64) {
-        self.write();
-        let Landed { mut time, mut interval, mut velocity, before, .. } = *landed;
+    fn alone(&mut self, landed: &[Option<Landed<L>>; GROUPS], sign: f64) {
         let mut last = [None; MOST_LANES];
-        for (lane, last) in last.iter_mut().enumerate().take(L::COUNT) {
-            if unsure.lane(lane) != 1.0 {
+        let mut gone = [None; MOST_LANES];
+        for (lane, (last, gone)) in last.iter_mut().zip(&mut gone).enumerate().take(Self::LANES) {
+            let (group, within) = (lane / L::COUNT, lane % L::COUNT);
+            let (Some(Some(landed)), Some(blocks)) = (landed.get(group), self.blocks.get_mut(group)) else { continue };
+            let zero = landed.time.all(0.0);
+            if zero.all(1.0).or(landed.unsure, zero).lane(within) != 1.0 {
                 continue;
             }
             self.tally.alone += 1;
-            let mut single = Single::new(&self.blocks, before, sign, lane);
+            let mut single = Single::new(blocks, landed.before, sign, within);
             match single.fly() {
-                // What has ended without this impact is gone before it is written.
                 Some(Finished { ending, listed: false }) => {
-                    self.end(lane, ending);
+                    *gone = Some(ending);
                     continue;
                 }
                 Some(Finished { ending, .. }) => *last = Some(ending),
                 None => {}
             }
-            for (quantity, value) in [&mut time, &mut interval, &mut velocity].into_iter().zip(single.impact()) {
-                quantity.set_lane(lane, value);
+            single.put_into(blocks, within);
+            for (held, value) in self.held.iter_mut().zip(single.impact()) {
+                if let Some(place) = held.get_mut(self.count).and_then(|lanes| lanes.get_mut(lane)) {
+                    *place = value;
+                }
             }
-            single.put_into(&mut self.blocks, lane);
         }
-        self.hold(&time, &interval, &velocity);
+        // What has ended without this impact is gone before it is written.
+        if gone.iter().any(Option::is_some) {
+            let held = self.held.map(|held| held.get(self.count).copied());
+            self.write();
+            for (to, from) in self.held.iter_mut().zip(held) {
+                if let (Some(to), Some(from)) = (to.first_mut(), from) {
+                    *to = from;
+                }
+            }
+            self.end_all(gone);
+        }
+        self.count += 1;
         if last.iter().any(Option::is_some) {
             self.write();
+            self.end_all(last);
         }
-        for (lane, ending) in last.into_iter().enumerate() {
+        self.measure();
+    }
+
+    fn end_all(&mut self, endings: [Option<Ending>; MOST_LANES]) {
+        for (lane, ending) in endings.into_iter().enumerate() {
             if let Some(ending) = ending {
                 self.end(lane, ending);
             }
         }
-        self.measure();
     }
 }

@@ -94,6 +94,11 @@ impl Lanes for Two {
     }
 
     #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
@@ -161,6 +166,11 @@ impl<S: Simd> Lanes for Found<S> {
     #[inline(always)]
     fn residue(self, factor: Self, product: Self) -> Self {
         Self { of: self.simd.mul_add_f64s(self.of, factor.of, self.simd.neg_f64s(product.of)), ..self }
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        Self { of: self.simd.mul_add_f64s(self.of, factor.of, term.of), ..self }
     }
 
     #[inline(always)]

@@ -7,10 +7,10 @@ use super::{
     registers::{Found, Two},
 };
 
-/// An instruction set. All give the same bits.
+/// An instruction set. Those without a fused multiply-add give the same bits, and so do those with it; the two differ by rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InstructionSet {
-    /// One lane: each case by itself.
+    /// No registers of several lanes, but two cases at once, which do not wait for each other.
     Scalar,
     /// What every machine of the target has: on x86-64, SSE2.
     Baseline,
@@ -45,10 +45,11 @@ impl InstructionSet {
         }
     }
 
-    /// Does the work; with the baseline where the machine lacks the instruction set.
+    /// Does the work, on two registers at once: operation by operation where they are narrow, and with what finds its operands by itself where both together are
+    /// more than the registers of the machine; with the baseline where the machine lacks the instruction set.
     pub(super) fn run(self, work: &Work, rows: &mut Rows) -> Tally {
         match self {
-            Self::Scalar => pool::run(0.0, work, rows),
+            Self::Scalar => pool::run::<_, 2>(Many([0.0; 2]), work, rows),
             #[cfg(target_arch = "x86_64")]
             Self::Avx2 => match pulp::x86::V3::try_new() {
                 Some(simd) => pulp::Simd::vectorize(simd, OnLanes { work, rows }),
@@ -59,7 +60,7 @@ impl InstructionSet {
                 Some(simd) => pulp::Simd::vectorize(simd, OnLanes { work, rows }),
                 None => Self::Avx2.run(work, rows),
             },
-            _ => pool::run(Many([Two::ZERO; 2]), work, rows),
+            _ => pool::run::<_, 1>(Many([Two::ZERO; 2]), work, rows),
         }
     }
 }
@@ -75,6 +76,6 @@ impl pulp::WithSimd for OnLanes<'_, '_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) -> Tally {
-        pool::run(Many([Found::zero(simd); 2]), self.work, self.rows)
+        pool::run::<_, 2>(Found::zero(simd), self.work, self.rows)
     }
 }
