@@ -43,3 +43,25 @@ proptest! {
         }
     }
 }
+
+/// Past the balance the least torque outward is `sin β - a tan α cos β`: from `tan β = a tan α` on the block can't come back, if it moves outwards;
+/// of the slender block, from `x + x' = 1 + a` on.
+#[test]
+fn a_block_is_overturned_from_where_nothing_can_bring_it_back() {
+    let point = |x: f64| Interval::<Digits<128>>::exactly(x);
+    for alpha in [0.02, 0.2, 0.6_f64] {
+        for a in [1.01, 1.3, 2.0_f64] {
+            let excitation = Excitation::<Digits<128>>::new(&point(a - 1.0), 2.0);
+            let amplitude = excitation.amplitude.clone();
+            let block = Equation::new(&excitation, Some(alpha));
+            let border = 1.0 + (a * alpha.tan()).atan() / alpha;
+            let overturned = |x: f64, v: f64| block.overturned(&point(x), &point(v), &amplitude);
+            assert!(overturned(border + 1e-9, 1e-3) && !overturned(border - 1e-9, 1e-3), "{alpha} {a}");
+            assert!(!overturned(border + 1e-9, -1e-3) && !overturned(0.5, 10.0), "{alpha} {a}");
+            let slender = Equation::new(&excitation, None);
+            let overturned = |x: f64, v: f64| slender.overturned(&point(x), &point(v), &amplitude);
+            assert!(overturned(0.5, 0.5 + a + 1e-9) && !overturned(0.5, 0.5 + a - 1e-9), "{a}");
+            assert!(!overturned(-0.5, 2.0 + a), "{a}");
+        }
+    }
+}
