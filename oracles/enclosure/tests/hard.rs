@@ -65,6 +65,7 @@ fn what_is_out_of_range_is_declined() {
     }
     assert_eq!(Enclosure::new(Model::Nonlinear).enclose(&case(0.1, 2.0, 0.9)), Err(Decline::NeedsSlenderness));
     assert!(linear.with_digits(0).is_err() && linear.with_digits(Enclosure::MOST_DIGITS + 1).is_err());
+    assert_eq!(linear.with_digits(30).unwrap().digits(), 30);
     for still in [-1.0, -0.5, 0.0] {
         assert_eq!(linear.enclose(&case(still, 2.0, 0.9)).unwrap().ending, Ending::NeverRocks);
     }

@@ -117,7 +117,7 @@ impl Method {
     /// The tolerance unless told otherwise: about where the method is still fast and a smaller one no longer pays.
     pub fn default_rtol(self) -> f64 {
         match self {
-            Self::Tsit45 => 1e-12,
+            Self::Tsit45 => 4e-13,
             Self::Bdf => 1e-9,
             Self::TrBdf2 => 1e-8,
             Self::Esdirk34 => 1e-11,
