@@ -140,7 +140,7 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
         for (group, (((blocks, start), landing), landed)) in all.enumerate() {
             let (Some((start, _)), Some(landing)) = (start, landing) else { continue };
             let flights = blocks.hit::<FIRST_SIDE>(start, landing);
-            unsure = unsure | L::any(flights.unsure);
+            unsure |= L::any(flights.unsure);
             for (held, quantity) in self.held.iter_mut().zip([&flights.time, &flights.interval, &flights.velocity]) {
                 if let Some(place) = held.get_mut(self.count).and_then(|lanes| lanes.get_mut(group * L::COUNT..)) {
                     quantity.copy_to(place);
