@@ -121,6 +121,5 @@ fn the_map_shows_how_much_model_is_needed() {
     rows.iter().for_each(|row| csv.serialize(row).unwrap());
     let table = Table::from_reader(map::CHARTS[0].table, csv.into_inner().unwrap().as_slice()).unwrap();
     let svg = map::draw(&table).unwrap();
-    std::fs::write("/tmp/h/map.svg", &svg).unwrap();
     assert!(svg.contains("corrected"));
 }
