@@ -102,5 +102,20 @@ fn what_the_command_refuses() {
     assert!(chart(&["--only", "atlas"]).contains("--out"));
     assert!(chart(&["--out", out, "--only", "maps"]).contains("maps"));
     assert!(chart(&["--out", out, "--peers", "/nowhere/peers.csv"]).contains("/nowhere/peers.csv"));
+    let peers = folder.path().join("peers.csv");
+    let head = "share,epsilon,family,setting,impacts,rhs,seconds,tau_ch_error,impact_40_error,outcome\n";
+    for (rows, said) in [
+        ("", "there are no rows"),
+        ("50 %,0.01,x,y,,,-1,,,\n", "line 2: seconds = -1 is outside the allowed range: a finite number above 0"),
+        ("50 %,0.01,x,y,,,1,,,\n50 %,-1,x,y,,,1,,,\n", "line 3: epsilon = -1"),
+        ("50 %,0.01,x,y,,,1,NaN,,\n", "tau_ch_error = NaN"),
+        ("77 %,0.01,x,y,,,1,,,\n", "share = 77 % is outside the allowed range: 50 %, 90 % or 99.9 %"),
+    ] {
+        std::fs::write(&peers, format!("{head}{rows}")).unwrap();
+        let told = chart(&["--out", out, "--peers", peers.to_str().unwrap()]);
+        assert!(told.contains(said), "{rows}: {told}");
+    }
+    let beside = chart(&["--out", out, "--only", "plan", "--peers", peers.to_str().unwrap()]);
+    assert!(beside.contains("peers are drawn in the work-precision charts"), "{beside}");
     assert!(!folder.path().join("out").exists(), "nothing is written");
 }

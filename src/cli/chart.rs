@@ -1,6 +1,6 @@
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
-use anyhow::{Context as _, anyhow};
+use anyhow::{Context as _, anyhow, ensure};
 use chattercheck::{atlas, chart, plan, work_precision};
 use clap::{Args, ValueEnum};
 
@@ -33,6 +33,10 @@ enum Part {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let Arguments { out, only, peers } = arguments;
+    ensure!(
+        peers.is_none() || only.is_none_or(|only| only == Part::WorkPrecision),
+        "peers are drawn in the work-precision charts; allowed: without --only, or with --only work-precision"
+    );
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
     // First, because what follows takes a while.
     fs::create_dir_all(out)
@@ -60,5 +64,5 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
 
 fn peers_in(path: &PathBuf) -> anyhow::Result<Vec<work_precision::WorkRow>> {
     let text = fs::read_to_string(path).with_context(|| format!("cannot read peers = {}", path.display()))?;
-    work_precision::read(&text).with_context(|| format!("peers = {} are no such rows", path.display()))
+    work_precision::read(&text).with_context(|| format!("peers = {}", path.display()))
 }

@@ -8,7 +8,7 @@ mod methods;
 
 use std::{collections::BTreeMap, hint::black_box, time::Instant};
 
-use contract::{Case, Decline, Model};
+use contract::{Case, Decline, Invalid, Model};
 use serde::{Deserialize, Serialize};
 
 use crate::{chart::csv_text, critical, panel};
@@ -88,9 +88,60 @@ pub fn measure(request: &Request, done: impl Fn()) -> Result<Vec<WorkRow>, Decli
 /// The rows of peers, which have the same columns.
 ///
 /// # Errors
-/// When the text is not CSV with these columns.
-pub fn read(text: &str) -> Result<Vec<WorkRow>, csv::Error> {
-    csv::Reader::from_reader(text.as_bytes()).deserialize().collect()
+/// When the text is not CSV with these columns, has no row, or a value of a row is out of range; it says in which line.
+pub fn read(text: &str) -> Result<Vec<WorkRow>, Unreadable> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let columns = reader.headers()?.clone();
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record?;
+        let row: WorkRow = record.deserialize(Some(&columns))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        row.check().map_err(|why| Unreadable::Row { line, why })?;
+        rows.push(row);
+    }
+    if rows.is_empty() { Err(Unreadable::Empty) } else { Ok(rows) }
+}
+
+/// Why rows of peers can't be used.
+#[derive(Debug, thiserror::Error)]
+pub enum Unreadable {
+    /// No CSV with these columns.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+    /// There are no rows.
+    #[error("there are no rows")]
+    Empty,
+    /// A value is out of range.
+    #[error("line {line}: {why}")]
+    Row {
+        /// Of the file, from 1.
+        line: u64,
+        /// Which, and what is allowed.
+        why: Invalid,
+    },
+}
+
+impl WorkRow {
+    /// Refuses what the charts have no place for.
+    fn check(&self) -> Result<(), Invalid> {
+        for (field, value) in [("epsilon", self.epsilon), ("seconds", self.seconds)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Invalid::new(field, value, "a finite number above 0"));
+            }
+        }
+        for (field, error) in [("tau_ch_error", self.tau_ch_error), ("impact_40_error", self.impact_40_error)] {
+            if let Some(error) = error.filter(|error| !(*error >= 0.0 && error.is_finite())) {
+                return Err(Invalid::new(field, error, "empty, or a finite number not below 0"));
+            }
+        }
+        let mut charts = Request::default().percents.into_iter().map(|(percent, _)| format!("{percent} %"));
+        if charts.any(|share| share == self.share) {
+            Ok(())
+        } else {
+            Err(Invalid::new("share", &self.share, "50 %, 90 % or 99.9 %"))
+        }
+    }
 }
 
 /// The file that the charts are drawn from.

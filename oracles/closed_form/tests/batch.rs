@@ -280,7 +280,11 @@ fn what_does_not_fit_is_refused_by_name() {
     };
     assert_eq!(refused(&[0.1, 0.1], &[2.0], &[0.9, 0.9], 5), "omega has 1 numbers, not 2");
     assert_eq!(refused(&[0.1], &[2.0], &[], 5), "eta has 0 numbers, not 1");
-    assert_eq!(refused(&[0.1], &[2.0], &[0.9], 0), "no impacts are asked for");
+    let allowed = "is outside the allowed range: from 1 to 1000000 for each case";
+    for impacts in [0, 1_000_001, usize::MAX] {
+        assert_eq!(refused(&[0.1], &[2.0], &[0.9], impacts), format!("impacts = {impacts} {allowed}"));
+        assert_eq!(refused(&[], &[], &[], impacts), format!("impacts = {impacts} {allowed}"));
+    }
     assert!(refused(&[0.1, 0.1], &[2.0, 2.0], &[0.9, 1.5], 5).starts_with("case 1: eta = 1.5"));
     assert!(refused(&[f64::NAN], &[2.0], &[0.9], 5).starts_with("case 0: epsilon = NaN"));
     assert!(refused(&[0.1], &[1e9], &[0.9], 5).starts_with("case 0: omega = 1000000000.0"));

@@ -44,6 +44,9 @@ pub use set::InstructionSet;
 /// How many cases a thread takes at a time.
 const CHUNK: usize = 1024;
 
+/// How many impacts may be asked for, for each case.
+pub const MOST_IMPACTS: usize = 1_000_000;
+
 /// Cases to be followed to `T/2`, each to the same number of impacts at the most.
 #[derive(Debug, Clone, Copy)]
 pub struct Batch<'a> {
@@ -96,7 +99,7 @@ impl<'a> Batch<'a> {
     /// The cases with these `ε = a - 1`, `ω` and `η`, to `impacts` impacts at the most, with the fastest instruction set that the machine has.
     ///
     /// # Errors
-    /// A [`Refusal`] when the slices differ in length, `impacts` is 0, or a case is none or out of range; it says which.
+    /// A [`Refusal`] when the slices differ in length, `impacts` is 0 or above [`MOST_IMPACTS`], or a case is none or out of range; it says which.
     pub fn new(epsilon: &'a [f64], omega: &'a [f64], eta: &'a [f64], impacts: usize) -> Result<Self, Refusal> {
         refusal::check(epsilon, omega, eta, impacts)?;
         Ok(Self { work: Work { epsilon, omega, eta, impacts }, set: InstructionSet::fastest() })
@@ -136,7 +139,7 @@ impl<'a> Batch<'a> {
 
 impl Rows<'_> {
     fn check(&self, cases: usize, impacts: usize) -> Result<(), Refusal> {
-        let numbers = cases * impacts;
+        let numbers = cases.saturating_mul(impacts);
         for (what, length, expected) in [
             ("time", self.time.len(), numbers),
             ("interval", self.interval.len(), numbers),

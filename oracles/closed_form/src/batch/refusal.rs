@@ -4,6 +4,7 @@ use core::fmt;
 
 use contract::{Case, Decline, Invalid};
 
+use super::MOST_IMPACTS;
 use crate::within_reach;
 
 /// Why a batch is refused.
@@ -18,8 +19,8 @@ pub enum Refusal {
         /// What that should be.
         expected: usize,
     },
-    /// No impacts are asked for.
-    NoImpacts,
+    /// So many impacts are asked for: none, or more than [`MOST_IMPACTS`](super::MOST_IMPACTS).
+    Impacts(usize),
     /// A case that is none.
     Invalid {
         /// Its place in the slices.
@@ -40,7 +41,9 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length { what, length, expected } => write!(f, "{what} has {length} numbers, not {expected}"),
-            Self::NoImpacts => f.write_str("no impacts are asked for"),
+            Self::Impacts(impacts) => {
+                write!(f, "impacts = {impacts} is outside the allowed range: from 1 to {MOST_IMPACTS} for each case")
+            }
             Self::Invalid { case, why } => write!(f, "case {case}: {why}"),
             Self::Declined { case, why } => write!(f, "case {case}: {why}"),
         }
@@ -58,8 +61,8 @@ pub(super) fn of_length(what: &'static str, length: usize, expected: usize) -> R
 pub(super) fn check(epsilon: &[f64], omega: &[f64], eta: &[f64], impacts: usize) -> Result<(), Refusal> {
     of_length("omega", omega.len(), epsilon.len())?;
     of_length("eta", eta.len(), epsilon.len())?;
-    if impacts == 0 {
-        return Err(Refusal::NoImpacts);
+    if !(1..=MOST_IMPACTS).contains(&impacts) {
+        return Err(Refusal::Impacts(impacts));
     }
     for (case, ((epsilon, omega), eta)) in epsilon.iter().zip(omega).zip(eta).enumerate() {
         let whole = Case::from_epsilon(*epsilon, *omega, *eta).map_err(|why| Refusal::Invalid { case, why })?;
