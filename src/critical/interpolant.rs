@@ -110,8 +110,7 @@ impl Axis {
 pub fn interpolated(omega: f64, eta: f64) -> Result<f64, Invalid> {
     let (by_omega, by_eta) = (OMEGA.values(omega)?, ETA.values(eta)?);
     let of = |values: &[f64], degree: u32| values.get(degree as usize).copied().unwrap_or(f64::NAN);
-    let value =
-        |term: &Term| term.coefficient * of(&by_omega, term.omega_degree) * of(&by_eta, term.eta_degree);
+    let value = |term: &Term| term.coefficient * of(&by_omega, term.omega_degree) * of(&by_eta, term.eta_degree);
     Ok(TERMS.iter().map(value).sum())
 }
 

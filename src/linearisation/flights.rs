@@ -12,7 +12,7 @@
 //! of the order `α⁴` is that of single flights, passed on as any change is; the curvature of the response to `α²`, which grows faster towards `a_cr`, is not in
 //! it as it is in a derivative along the whole linear solution.
 
-use contract::{Arrival, Case, Decline, Departure, FlightSolver, Ground, Oracle};
+use contract::{Arrival, Case, Decline, Departure, FlightSolver, Ground, Loss, Oracle};
 
 use super::{parameter, threshold};
 
@@ -20,32 +20,41 @@ use super::{parameter, threshold};
 type Rule = &'static [(f64, f64)];
 
 /// Up to which `max(1, ω) T` a rule is good to 1e-6 of the integral, and the rule: of 4, 6 and 10 nodes.
-const SHORT: (f64, Rule) = (0.3, &[
+const SHORT: (f64, Rule) = (
+    0.3,
+    &[
         (0.06943184420297371, 0.17392742256872679),
         (0.33000947820757187, 0.3260725774312732),
         (0.6699905217924281, 0.3260725774312732),
         (0.9305681557970262, 0.17392742256872679),
-    ]);
-const MIDDLE: (f64, Rule) = (1.0, &[
+    ],
+);
+const MIDDLE: (f64, Rule) = (
+    1.0,
+    &[
         (0.03376524289842403, 0.08566224618958514),
         (0.16939530676686776, 0.18038078652406936),
         (0.38069040695840156, 0.23395696728634552),
         (0.6193095930415985, 0.23395696728634552),
         (0.8306046932331322, 0.18038078652406936),
         (0.9662347571015759, 0.08566224618958514),
-    ]);
+    ],
+);
 const LONG: Rule = &[
-        (0.013046735741414128, 0.03333567215434407),
-        (0.06746831665550773, 0.0747256745752902),
-        (0.16029521585048778, 0.109543181257991),
-        (0.2833023029353764, 0.13463335965499826),
-        (0.4255628305091844, 0.1477621123573764),
-        (0.5744371694908156, 0.1477621123573764),
-        (0.7166976970646236, 0.13463335965499826),
-        (0.8397047841495122, 0.109543181257991),
-        (0.9325316833444923, 0.0747256745752902),
-        (0.9869532642585859, 0.03333567215434407),
-    ];
+    (0.013046735741414128, 0.03333567215434407),
+    (0.06746831665550773, 0.0747256745752902),
+    (0.16029521585048778, 0.109543181257991),
+    (0.2833023029353764, 0.13463335965499826),
+    (0.4255628305091844, 0.1477621123573764),
+    (0.5744371694908156, 0.1477621123573764),
+    (0.7166976970646236, 0.13463335965499826),
+    (0.8397047841495122, 0.109543181257991),
+    (0.9325316833444923, 0.0747256745752902),
+    (0.9869532642585859, 0.03333567215434407),
+];
+
+/// The largest part of a flight that its impact may be moved by.
+const LARGEST_SHIFT: f64 = 0.25;
 
 /// The flights of one case.
 pub struct Flights {
@@ -133,6 +142,10 @@ impl FlightSolver for Flights {
         // There w₀ + w₁ = w₁ - (v - w₁') d - G d²/2, with v the linear speed.
         let falling = speed - velocity;
         let moved = rotation / (falling + 0.5 * gravity * rotation / falling);
+        // Where it hardly lands the first order says nothing.
+        if !(falling > 0.0 && moved.abs() < LARGEST_SHIFT * interval) {
+            return Arrival::Lost(Loss::SolverFailed);
+        }
         Arrival::Impact { interval: interval + moved, speed: self.scale * (falling + gravity * moved) }
     }
 
@@ -145,5 +158,24 @@ impl FlightSolver for Flights {
     /// Never: a first order proves nothing.
     fn rests(&self, _: &Departure) -> bool {
         false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rule of `n` nodes is exact up to the power `2n - 1`, and not one further.
+    #[test]
+    fn the_rules_are_those_of_gauss_and_legendre() {
+        for rule in [SHORT.1, MIDDLE.1, LONG] {
+            let off = |power: i32| {
+                let sum: f64 = rule.iter().map(|(node, weight)| weight * node.powi(power)).sum();
+                (sum * f64::from(power + 1) - 1.0).abs()
+            };
+            let most = i32::try_from(2 * rule.len()).unwrap_or_default();
+            assert!((0..most).all(|power| off(power) < 2e-14), "{rule:?}");
+            assert!(off(most) > 1e-12, "{rule:?}");
+        }
     }
 }

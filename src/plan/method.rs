@@ -4,10 +4,7 @@ use std::fmt;
 
 use contract::{FlightSolver, Model, Oracle};
 
-use super::{
-    Question, Refusal,
-    estimate::Errors,
-};
+use super::{Question, Refusal, estimate::Errors};
 use crate::{
     linearisation,
     panel::{self, Settings},
@@ -171,11 +168,11 @@ impl Method {
         match self {
             Self::Nothing => 0.0,
             Self::CriticalAmplitude => 0.5,
-            Self::Linear => 0.5 + 0.1 * impacts,
-            Self::Corrected => 5.0 + 0.6 * impacts,
+            Self::Linear => 0.5 + 0.15 * impacts,
+            Self::Corrected => 1.0 + 0.4 * impacts,
             Self::PaperSeries => 10.0,
             Self::Series(terms) => 100.0 + 7.0 * squared(terms + 4),
-            Self::Nonlinear => 2.0 * impacts,
+            Self::Nonlinear => 1.0 + 0.62 * impacts,
             Self::Ode => 5.0 * impacts,
             Self::Resummed => 70_000.0,
             Self::Enclosure => 5_000.0,

@@ -90,7 +90,9 @@ fn run(candidate: &Candidate, question: &Question) -> (Option<Outcome>, usize) {
     match candidate.method {
         Method::Nothing => (Some(Outcome::NeverRocks), 0),
         Method::CriticalAmplitude => (Some(Outcome::Incomplete), 0),
-        Method::Linear | Method::Corrected | Method::Nonlinear => stepped(candidate.method, question, errors).unwrap_or((None, 0)),
+        Method::Linear | Method::Corrected | Method::Nonlinear => {
+            stepped(candidate.method, question, errors).unwrap_or((None, 0))
+        }
         method => asked(method, question, errors).unwrap_or((None, 0)),
     }
 }
