@@ -2,8 +2,8 @@
 //! what the plan predicts. One answer in 20 is verified against the proven one before anything is timed; `tests/plan.rs` does so with all of them.
 //!
 //! `auto` is timed from the numbers of a case to its answer. The solver runs every 20th question, once for 200 impacts, as one does who does not know how many
-//! will be enough, and once for as many as `auto` took (200 where that took none). Both are timed in turn and the least of five rounds is taken, as
-//! what else the machine does only ever adds.
+//! will be enough, and once for as many as `auto` took (200 where that took none). For each question the least of five rounds is taken, as what
+//! else the machine does only ever adds.
 //!
 //! `cargo bench --bench plan`
 #![allow(clippy::unwrap_used)] // A bench that is wrong stops.
@@ -23,11 +23,17 @@ const SAMPLE: usize = 20;
 const IMPACTS: usize = 200;
 const ROUNDS: usize = 5;
 
-/// How long it takes, in microseconds for each of `many`.
-fn timed(many: usize, run: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    run();
-    1e6 * start.elapsed().as_secs_f64() / many as f64
+/// How long one of these takes in the mean, in microseconds.
+fn timed<T>(of: &[T], run: impl Fn(&T)) -> f64 {
+    let mut least = vec![f64::INFINITY; of.len()];
+    for _ in 0..ROUNDS {
+        for (one, least) in of.iter().zip(&mut least) {
+            let start = Instant::now();
+            run(one);
+            *least = least.min(start.elapsed().as_secs_f64());
+        }
+    }
+    1e6 * least.iter().sum::<f64>() / of.len() as f64
 }
 
 fn main() {
@@ -57,16 +63,11 @@ fn main() {
     let taken = |plan: &Plan| plan.answer().attempts.last().map_or(0, |last| last.impacts);
     let short: Vec<Case> =
         sample().map(|plan| with(plan, Some(taken(plan)).filter(|impacts| *impacts > 0).unwrap_or(IMPACTS))).collect();
-    let solve =
-        |cases: &[Case]| timed(cases.len(), || cases.iter().for_each(|case| drop(black_box(strictest.history(case)))));
-    let [mut auto, mut of_long, mut of_short] = [f64::INFINITY; 3];
-    for _ in 0..ROUNDS {
-        let ask =
-            |question: &Question| drop(black_box(Plan::new(Question::new(question.case, question.tolerance)).answer()));
-        auto = auto.min(timed(QUESTIONS, || questions.iter().for_each(ask)));
-        of_long = of_long.min(solve(&long));
-        of_short = of_short.min(solve(&short));
-    }
+    let solve = |case: &Case| drop(black_box(strictest.history(case)));
+    let ask =
+        |question: &Question| drop(black_box(Plan::new(Question::new(question.case, question.tolerance)).answer()));
+    let auto = timed(&questions, ask);
+    let [of_long, of_short] = [&long, &short].map(|cases| timed(cases, solve));
     println!("auto: {auto:.1} us a question, on {QUESTIONS} questions");
     for (what, solver) in [(IMPACTS.to_string(), of_long), ("as many".to_owned(), of_short)] {
         let name = strictest.name();
@@ -86,12 +87,12 @@ fn main() {
         Method::Nonlinear,
         Method::Enclosure,
     ] {
-        let of = || plans.iter().filter_map(|plan| Some((plan, plan.chosen()?))).filter(|(_, of)| of.method == method);
-        let (count, predicted) = of().fold((0, 0.0), |(count, sum), (_, chosen)| (count + 1, sum + chosen.cost));
-        if count > 0 {
-            let each = || timed(count, || of().for_each(|(plan, _)| drop(black_box(plan.answer()))));
-            let least = (0..ROUNDS).map(|_| each()).fold(f64::INFINITY, f64::min);
-            println!("{method:24} {count:5} {least:10.2} {:10.2}", predicted / count as f64);
+        let of: Vec<_> =
+            plans.iter().filter(|plan| plan.chosen().is_some_and(|chosen| chosen.method == method)).collect();
+        if !of.is_empty() {
+            let predicted: f64 = of.iter().filter_map(|plan| plan.chosen()).map(|chosen| chosen.cost).sum();
+            let (count, measured) = (of.len(), timed(&of, |plan| drop(black_box(plan.answer()))));
+            println!("{method:24} {count:5} {measured:10.2} {:10.2}", predicted / count as f64);
         }
     }
 }
