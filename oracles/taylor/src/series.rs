@@ -169,7 +169,8 @@ fn inverse(k: usize) -> f64 {
     INVERSES.get(k).copied().unwrap_or(0.0)
 }
 
-/// `1/k`, and 0 for `k = 0`.
+/// `1/k`, and 0 for `k = 0`. Made by the compiler, which would refuse an index out of bounds.
+#[allow(clippy::indexing_slicing)]
 const INVERSES: [f64; ORDER + 2] = {
     let mut inverses = [0.0; ORDER + 2];
     let mut k = 1;
