@@ -218,8 +218,11 @@ enum Root {
 
 /// The first root in `(0, step]` of the deflated polynomial, which has to be positive at 0.
 fn first_root(deflated: &[f64], step: f64) -> Root {
-    let mut lowest = deflated.iter().copied().chain([0.0; 2]);
-    let (value, slope) = (lowest.next().unwrap_or(0.0), lowest.next().unwrap_or(0.0));
+    let (value, slope) = match *deflated {
+        [value, slope, ..] => (value, slope),
+        [value] => (value, 0.0),
+        [] => (0.0, 0.0),
+    };
     if value <= 0.0 {
         return Root::Below;
     }
