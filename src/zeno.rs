@@ -31,8 +31,7 @@ pub fn close(history: &History, eta: f64) -> Option<Estimate> {
 
 /// The column with the smallest estimated error, and its value.
 fn best_column(history: &History, eta: f64) -> Option<(usize, Estimate)> {
-    let pairs = pair_differences(&history.impacts);
-    let columns = columns(&pairs, history.impacts.last()?.time, eta).enumerate();
+    let columns = columns(pair_differences(&history.impacts), history.impacts.last()?.time, eta).enumerate();
     columns.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty))
 }
 
@@ -143,15 +142,15 @@ impl Entry {
 
 /// The entries of the first column, in order of time.
 fn pair_differences(impacts: &[Impact]) -> Vec<Entry> {
-    let mut pairs: Vec<_> = in_pairs(impacts).map(Entry::of).collect();
+    let mut pairs = Vec::with_capacity(MOST_COLUMNS + 1);
+    pairs.extend(in_pairs(impacts).map(Entry::of));
     pairs.reverse();
     pairs
 }
 
 /// The value in each column at the last impact, and its estimated error: from how much the column and the one before it changed the value, how
 /// much the last two impacts changed the column, and the claimed errors of the intervals as the extrapolation magnifies them.
-fn columns(pairs: &[Entry], time: f64, eta: f64) -> impl Iterator<Item = Estimate> {
-    let mut row = pairs.to_vec();
+fn columns(mut row: Vec<Entry>, time: f64, eta: f64) -> impl Iterator<Item = Estimate> {
     let mut value = time;
     let mut power = 1.0;
     let mut last_change = 0.0;
@@ -169,13 +168,15 @@ fn columns(pairs: &[Entry], time: f64, eta: f64) -> impl Iterator<Item = Estimat
         rounding += weight * late.rounding;
         let truncation = SAFETY * change.abs().max(last_change).max(drift.abs());
         last_change = change.abs();
-        let pairs = row.windows(2);
-        row = pairs
-            .filter_map(|two| match *two {
-                [early, late] => Some(Entry::extrapolated(early, late, power)),
-                _ => None,
-            })
-            .collect();
+        // The next column in the place of this one, which is one entry longer.
+        let mut entries = row.iter_mut().rev();
+        let mut late = entries.next().copied();
+        for entry in entries {
+            let early = *entry;
+            *entry = late.map_or(early, |late| Entry::extrapolated(early, late, power));
+            late = Some(early);
+        }
+        row.pop();
         Some(Estimate { value, uncertainty: truncation + bias.abs() + rounding })
     })
 }

@@ -4,10 +4,12 @@
 use chattercheck::{
     answer::ask,
     chart::Table,
-    critical, panel,
-    plan::{Method, Outcome, Place, Plan, evidence, map},
+    critical,
+    linearisation::{Flights, Linearisation},
+    panel,
+    plan::{Found, Method, Outcome, Place, Plan, evidence, map, step},
 };
-use contract::{Case, Ending, Model, Normalisation, Slenderness};
+use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{
     strategy::{Strategy, ValueTree},
     test_runner::{Config, RngSeed, TestRunner},
@@ -56,6 +58,74 @@ fn the_linearisation_error_is_what_is_predicted() {
     let (least, most) =
         ratios.iter().fold((f64::INFINITY, 0.0f64), |(least, most), &ratio| (least.min(ratio), most.max(ratio)));
     assert!(ratios.len() > 280 && least > 1.0 && most < 3.0, "{} ratios from {least} to {most}", ratios.len());
+}
+
+/// What is predicted to be left with each flight corrected is above what is left, and mostly not by more than 6 times.
+#[test]
+fn what_the_corrected_flights_leave_is_less_than_predicted() {
+    let strategy = (0.01..0.999f64, 0.5f64.ln()..8.0f64.ln(), 0.5..0.97f64, 0.1..0.5f64);
+    let mut ratios: Vec<f64> = draws(strategy, 400)
+        .into_par_iter()
+        .filter_map(|(share, log_omega, eta, alpha)| {
+            let omega = log_omega.exp();
+            let case = case(share * critical::interpolated(omega, eta).unwrap(), omega, eta, alpha);
+            let place = Place::of(&case).unwrap();
+            if place.is_near(alpha) {
+                return None;
+            }
+            let truth = proven(&case)??;
+            let flights = Flights::new(panel::stepper().as_ref(), &case).unwrap();
+            let Found::Complete(found, _) = step(&flights, &case, 1e-13, true) else { panic!("{case:?}") };
+            Some(place.second_order(alpha) / (found.value / truth - 1.0).abs())
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    let (least, median) = (ratios[0], ratios[ratios.len() / 2]);
+    assert!(ratios.len() > 300 && least > 1.0 && median < 6.0, "{} ratios from {least}, {median}", ratios.len());
+}
+
+/// The curvature of the response near `a_cr` is not in what the corrected flights leave, but in what a derivative along the linear solution does.
+#[test]
+fn near_a_cr_corrected_flights_leave_less_than_the_derivative() {
+    let case = case(0.998 * critical::interpolated(2.0, 0.8).unwrap(), 2.0, 0.8, 0.1);
+    let truth = proven(&case).unwrap().unwrap();
+    let flights = Flights::new(panel::stepper().as_ref(), &case).unwrap();
+    let Found::Complete(by_flights, _) = step(&flights, &case, 1e-13, true) else { panic!("no chattering time") };
+    let by_derivative =
+        Linearisation::new(panel::stepper().as_ref(), &case).unwrap().corrected_chattering_time().unwrap();
+    let [by_flights, by_derivative] = [by_flights, by_derivative].map(|time| (time.value / truth - 1.0).abs());
+    assert!(by_flights < 0.2 * by_derivative, "{by_flights:e} {by_derivative:e}");
+}
+
+/// The error of a single corrected flight falls as `α⁴`, wherever it starts, where it is and when it lands; and it proves no rest.
+#[test]
+fn a_corrected_flight_is_off_by_the_fourth_power_of_the_slenderness() {
+    let off = |alpha: f64, start: &Departure| {
+        let case = case(0.06, 2.0, 0.9, alpha);
+        let linear = Flights::new(panel::stepper().as_ref(), &case).unwrap();
+        let truth = panel::select("taylor").unwrap().swap_remove(0).flights(&case).unwrap();
+        assert!(!linear.rests(start));
+        let land = |solver: &dyn FlightSolver| match solver.fly(start, 9.0) {
+            Arrival::Impact { interval, speed } => [interval, speed],
+            other => panic!("{other:?}"),
+        };
+        let ([one, two], half) = ([land(&linear), land(truth.as_ref())], 0.5 * land(truth.as_ref())[0]);
+        let (here, there) = (linear.motion(start, half), truth.motion(start, half));
+        [one[0] / two[0] - 1.0, one[1] / two[1] - 1.0, here.0 / there.0 - 1.0, here.1 - there.1].map(f64::abs)
+    };
+    let start = Departure { ground: Ground::Shaking, time: 0.0, side: -1.0, rotation: 0.0, velocity: 0.0 };
+    let starts = [
+        start,
+        Departure { time: 0.9, side: 1.0, velocity: 0.1, ..start },
+        Departure { time: 0.4, rotation: 0.05, velocity: -0.05, ..start },
+        Departure { ground: Ground::Still, velocity: 0.3, ..start },
+    ];
+    for start in &starts {
+        for (wide, narrow) in off(0.4, start).into_iter().zip(off(0.2, start)) {
+            let order = (wide / narrow).log2();
+            assert!((3.7..4.5).contains(&order), "{start:?}: order {order}, {wide:e} {narrow:e}");
+        }
+    }
 }
 
 /// On random questions, from stocky to slender and from the threshold to far beyond `a_cr`, no answer misses its tolerance, and what is called incomplete

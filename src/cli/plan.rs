@@ -121,7 +121,7 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
 
 fn verdict(candidate: &Candidate, tolerance: f64, is_chosen: bool) -> (&'static str, String) {
     match &candidate.errors {
-        Err(why) => ("refused", why.clone()),
+        Err(why) => ("refused", why.to_string()),
         Ok(errors) if is_chosen && errors.total() <= tolerance => {
             ("chosen", "the cheapest that is accurate enough".to_owned())
         }

@@ -80,6 +80,12 @@ impl Axis {
         Ok(scaled.clamp(-1.0, 1.0).acos())
     }
 
+    /// The values of the Chebyshev polynomials, by their degree.
+    fn values(&self, value: f64) -> Result<Vec<f64>, Invalid> {
+        let angle = self.angle(value)?;
+        Ok((0..self.nodes).map(|degree| chebyshev(degree, angle)).collect())
+    }
+
     /// The angle and the parameter at each node: the zeros of the polynomial of degree `nodes`.
     fn nodes(&self) -> Vec<(f64, f64)> {
         let (start, end) = self.ends();
@@ -102,9 +108,9 @@ impl Axis {
 /// # Errors
 /// When `omega` or `eta` is outside that range.
 pub fn interpolated(omega: f64, eta: f64) -> Result<f64, Invalid> {
-    let (by_omega, by_eta) = (OMEGA.angle(omega)?, ETA.angle(eta)?);
-    let value =
-        |term: &Term| term.coefficient * chebyshev(term.omega_degree, by_omega) * chebyshev(term.eta_degree, by_eta);
+    let (by_omega, by_eta) = (OMEGA.values(omega)?, ETA.values(eta)?);
+    let of = |values: &[f64], degree: u32| values.get(degree as usize).copied().unwrap_or(f64::NAN);
+    let value = |term: &Term| term.coefficient * of(&by_omega, term.omega_degree) * of(&by_eta, term.eta_degree);
     Ok(TERMS.iter().map(value).sum())
 }
 

@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use contract::{Model, Oracle};
+use contract::{FlightSolver, Model, Oracle};
 
-use super::{
-    Question,
-    estimate::{Errors, MEASURED},
+use super::{Question, Refusal, estimate::Errors};
+use crate::{
+    linearisation,
+    panel::{self, Settings},
 };
-use crate::panel::{self, Settings};
 
 /// A way to answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub enum Method {
     CriticalAmplitude,
     /// Flights by the closed form of Eq. 4, and the sum closed.
     Linear,
-    /// The closed form with the first-order effect of the slenderness put back.
+    /// The closed form with the first-order effect of the slenderness put back into each flight.
     Corrected,
     /// Eq. 65.
     PaperSeries,
@@ -65,9 +65,23 @@ impl Method {
         panel::one(&self.to_string(), &Settings::default(), equation).ok()
     }
 
-    /// Whether it finds impacts, and not the chattering time alone or nothing but that there is none.
-    pub(super) fn finds_impacts(self) -> bool {
-        matches!(self, Self::Linear | Self::Corrected | Self::Nonlinear | Self::Ode | Self::Enclosure)
+    /// The solver of its flights, if it goes from flight to flight.
+    pub(super) fn flights(self, question: &Question) -> Option<Box<dyn FlightSolver>> {
+        match self {
+            Self::Linear => panel::stepper().flights(&question.case).ok(),
+            Self::Corrected => {
+                let flights = linearisation::Flights::new(panel::stepper().as_ref(), &question.case).ok()?;
+                Some(Box::new(flights))
+            }
+            Self::Nonlinear => self.oracle(question)?.flights(&question.case).ok(),
+            _ => None,
+        }
+    }
+
+    /// Whether it is an oracle that lists impacts with the error that is predicted here. The corrected one lists those of another correction, whose claims
+    /// take longer than the flights of Eq. 2.
+    pub(super) fn lists_impacts(self) -> bool {
+        matches!(self, Self::Linear | Self::Nonlinear | Self::Ode | Self::Enclosure)
     }
 
     /// The equation that it solves, if it solves one.
@@ -80,47 +94,43 @@ impl Method {
     }
 
     /// The parts of the relative error that it would make of the chattering time, or why it can't answer.
-    pub(super) fn predict(self, question: &Question) -> Result<Errors, String> {
+    pub(super) fn predict(self, question: &Question) -> Result<Errors, Refusal> {
         let Question { case, tolerance, place, .. } = question;
         let rocks = case.epsilon() > 0.0;
         if (self == Self::Nothing) == rocks {
-            let threshold = format!("the ground acceleration is {} of the threshold", case.amplitude());
-            return Err(if rocks {
-                format!("the block rocks: {threshold}")
-            } else {
-                format!("not needed: {threshold}")
-            });
+            let amplitude = case.amplitude();
+            return Err(if rocks { Refusal::Rocks(amplitude) } else { Refusal::NeverRocks(amplitude) });
         }
         if self == Self::Nothing {
             return Ok(Errors::default());
         }
         let alpha = question.alpha();
         if self.model() == Some(Model::Nonlinear) && alpha == 0.0 {
-            return Err("the linear model is asked for".to_owned());
+            return Err(Refusal::LinearAsked);
         }
         let steps = matches!(self, Self::Linear | Self::Nonlinear);
         if question.request.is_some() && !(steps && (self.model() == Some(Model::Nonlinear)) == (alpha > 0.0)) {
-            return Err(
-                "not for a motion that starts above the threshold, or may end before the block rests".to_owned()
-            );
+            return Err(Refusal::Motion);
         }
         let Some(place) = place else { return self.predict_anywhere(alpha) };
-        let model = if self.model() == Some(Model::Linear) { place.linearisation(alpha) } else { 0.0 };
+        let model = match self {
+            Self::Corrected => place.second_order(alpha),
+            _ if self.model() == Some(Model::Linear) => place.linearisation(alpha),
+            _ => 0.0,
+        };
         let conditioning = place.conditioning(question.rounding);
         let stepping = STEPPING * place.amplification;
         let closing = CLOSING_SHARE * tolerance;
         let beyond = place.share > 1.0;
-        let (way, near) = (100.0 * place.share, place.is_near(alpha));
+        let near = place.is_near(alpha);
         if self == Self::CriticalAmplitude && (!beyond || near) {
-            return Err(format!("a is {way:.4} % of the way to a_cr, not clearly beyond it"));
+            return Err(Refusal::NotBeyond(place.share));
         }
         if near && alpha > 0.0 && (self.model() == Some(Model::Linear) || self == Self::Corrected) {
-            return Err(format!(
-                "a is {way:.4} % of the way to a_cr of the slender block, too near to tell on which side of its own the block is"
-            ));
+            return Err(Refusal::TooNear(place.share));
         }
         if beyond && matches!(self, Self::PaperSeries | Self::Series(_) | Self::Resummed) {
-            return Err("the series does not converge beyond a_cr".to_owned());
+            return Err(Refusal::Diverges);
         }
         if beyond {
             // Whether a block that does not come to rest still rocks at T/2 is no question of digits.
@@ -128,8 +138,7 @@ impl Method {
         }
         let (truncation, discretisation) = match self {
             Self::Nothing | Self::CriticalAmplitude => (0.0, 0.0),
-            Self::Linear | Self::Nonlinear => (closing, stepping),
-            Self::Corrected => (place.second_order(alpha), stepping),
+            Self::Linear | Self::Corrected | Self::Nonlinear => (closing, stepping),
             // One term and part of the next, which takes off about half of the error of one term.
             Self::PaperSeries => (0.5 * place.series(1), stepping),
             Self::Series(terms) => (place.series(terms), stepping),
@@ -141,23 +150,14 @@ impl Method {
     }
 
     /// The same outside of the range in which the errors were measured: only what solves the equation that is asked for, and says itself how far it is off.
-    fn predict_anywhere(self, alpha: f64) -> Result<Errors, String> {
+    fn predict_anywhere(self, alpha: f64) -> Result<Errors, Refusal> {
         let right = match self.model() {
             Some(Model::Linear) => alpha == 0.0,
             _ => true,
         };
         match self {
             Self::Linear | Self::Nonlinear | Self::Enclosure if right => Ok(Errors::default()),
-            _ => {
-                let [omegas, etas] = MEASURED;
-                Err(format!(
-                    "its error is known for omega from {} to {} and eta from {} to {} only",
-                    omegas.start(),
-                    omegas.end(),
-                    etas.start(),
-                    etas.end()
-                ))
-            }
+            _ => Err(Refusal::NotMeasured),
         }
     }
 
@@ -168,11 +168,11 @@ impl Method {
         match self {
             Self::Nothing => 0.0,
             Self::CriticalAmplitude => 0.5,
-            Self::Linear => 0.5 + 0.1 * impacts,
-            Self::Corrected => 5.0 + 0.6 * impacts,
+            Self::Linear => 0.5 + 0.15 * impacts,
+            Self::Corrected => 1.0 + 0.4 * impacts,
             Self::PaperSeries => 10.0,
             Self::Series(terms) => 100.0 + 7.0 * squared(terms + 4),
-            Self::Nonlinear => 2.0 * impacts,
+            Self::Nonlinear => 1.0 + 0.62 * impacts,
             Self::Ode => 5.0 * impacts,
             Self::Resummed => 70_000.0,
             Self::Enclosure => 5_000.0,

@@ -8,6 +8,7 @@ pub mod estimate;
 pub mod evidence;
 pub mod map;
 mod method;
+mod refusal;
 mod run;
 mod stepping;
 
@@ -17,6 +18,7 @@ use crate::response::Request;
 
 pub use estimate::{Errors, Place};
 pub use method::Method;
+pub use refusal::Refusal;
 pub use run::{Answer, Attempt, Outcome};
 pub use stepping::{Found, step};
 
@@ -56,7 +58,7 @@ pub struct Candidate {
     /// The method.
     pub method: Method,
     /// The predicted error, or why there is none.
-    pub errors: Result<Errors, String>,
+    pub errors: Result<Errors, Refusal>,
     /// The predicted cost in microseconds; only ratios mean anything.
     pub cost: f64,
 }
@@ -93,9 +95,9 @@ impl Plan {
         self.cheapest(|_| true)
     }
 
-    /// The same among those that find impacts.
+    /// The same among the oracles that list impacts.
     pub fn stepper(&self) -> Option<&Candidate> {
-        self.cheapest(Method::finds_impacts)
+        self.cheapest(Method::lists_impacts)
     }
 
     fn cheapest(&self, wanted: impl Fn(Method) -> bool) -> Option<&Candidate> {

@@ -90,7 +90,9 @@ fn run(candidate: &Candidate, question: &Question) -> (Option<Outcome>, usize) {
     match candidate.method {
         Method::Nothing => (Some(Outcome::NeverRocks), 0),
         Method::CriticalAmplitude => (Some(Outcome::Incomplete), 0),
-        Method::Linear | Method::Nonlinear => stepped(candidate.method, question, errors).unwrap_or((None, 0)),
+        Method::Linear | Method::Corrected | Method::Nonlinear => {
+            stepped(candidate.method, question, errors).unwrap_or((None, 0))
+        }
         method => asked(method, question, errors).unwrap_or((None, 0)),
     }
 }
@@ -113,11 +115,10 @@ fn with(time: Estimate, relative: f64) -> Estimate {
 
 /// Flights, no more than are needed.
 fn stepped(method: Method, question: &Question, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
-    let oracle = method.oracle(question)?;
     if let Some(request) = &question.request {
-        return responded(oracle.as_ref(), request, errors);
+        return responded(method.oracle(question)?.as_ref(), request, errors);
     }
-    let solver = oracle.flights(&question.case).ok()?;
+    let solver = method.flights(question)?;
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
     Some(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {

@@ -20,7 +20,7 @@ pub enum Found {
     Complete(Estimate, usize),
     /// The block still rocks at `T/2`, or has overturned.
     Incomplete(usize),
-    /// The limit of impacts came first.
+    /// The limit of impacts came first, or a flight was lost.
     Undecided,
 }
 
@@ -33,8 +33,10 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
     let mut low = 0.0;
     while history.impacts.len() < MOST {
         let left = half_period - departure.time;
-        let Arrival::Impact { interval, speed } = solver.fly(&departure, left) else {
-            return Found::Incomplete(history.impacts.len());
+        let (interval, speed) = match solver.fly(&departure, left) {
+            Arrival::Impact { interval, speed } => (interval, speed),
+            Arrival::Aloft { .. } | Arrival::Overturned { .. } => return Found::Incomplete(history.impacts.len()),
+            Arrival::Lost(_) => break,
         };
         // Neumaier's sum: the intervals are soon far below the time.
         let high = departure.time + interval;

@@ -55,7 +55,7 @@ proptest! {
         roundings in prop::array::uniform4(0.5..1.0f64), eta in 0.4..0.8f64, time in 1.0..2.0f64,
     ) {
         let ratio = eta * eta;
-        let found: Vec<Estimate> = columns(&entries(&values, &biases, &roundings), time, eta).collect();
+        let found: Vec<Estimate> = columns(entries(&values, &biases, &roundings), time, eta).collect();
         prop_assert_eq!(found.len(), 3);
         let alternating: Vec<f64> = roundings.iter().zip([-1.0, 1.0, -1.0, 1.0]).map(|(rounding, sign)| sign * rounding).collect();
         let value = |columns: usize| if columns == 0 { time } else { time + rest(&values, ratio, columns) };
@@ -142,7 +142,7 @@ fn the_chattering_time_is_differentiated_by_each_parameter() {
 fn the_best_column_is_taken_and_the_time_of_the_last_impact_is_claimed_for() {
     let history = history(&[1.0, 0.9, 0.64, 0.57, 0.41, 0.36, 0.26, 0.23, 0.166, 0.149, 0.105, 0.094], 1e-3);
     let pairs = pair_differences(&history.impacts);
-    let all: Vec<Estimate> = columns(&pairs, history.impacts[11].time, 0.8).collect();
+    let all: Vec<Estimate> = columns(pairs, history.impacts[11].time, 0.8).collect();
     let least = all.iter().map(|column| column.uncertainty).fold(f64::INFINITY, f64::min);
     let found = close(&history, 0.8);
     assert!(found.is_some_and(|found| found.uncertainty == least + 1e-3));

@@ -3,7 +3,7 @@
 use contract::Loss;
 
 use crate::equation::{Block, Forcing};
-use crate::series::{ORDER, Scale, evaluate, expand};
+use crate::series::{ORDER, Scale, Terms, evaluate, expand};
 
 /// How a flight ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,7 +67,7 @@ pub fn follow(block: &Block, side: f64, tau: f64, (rotation, speed): (f64, f64),
         let (scale, rate) = first_scale(block);
         Start { scale, rate, multiplicity: 3 }
     };
-    let order = order(rate);
+    let most = order(rate);
     let unit = scale.velocity * scale.time;
     let mut state =
         if rotation > 0.0 { (rotation / unit, speed / scale.velocity) } else { (0.0, speed / scale.velocity) };
@@ -82,7 +82,9 @@ pub fn follow(block: &Block, side: f64, tau: f64, (rotation, speed): (f64, f64),
         state: (state.0 * unit, state.1 * scale.velocity),
     };
     for steps in 1..=MOST_STEPS {
-        let series = expand(block, &forcing, &scale, state, order);
+        // From rest on the base neither the rotation nor the velocity at the start tells the size of the series.
+        let negligible = if multiplicity <= 1 { TRUNCATION } else { 0.0 };
+        let series = expand(block, &forcing, &scale, state, Terms { most, negligible });
         let deflated = series.from(multiplicity);
         if !deflated.iter().all(|c| c.is_finite()) {
             return course(Landing::Lost(Loss::NotFinite), elapsed, state);
@@ -216,19 +218,21 @@ enum Root {
 
 /// The first root in `(0, step]` of the deflated polynomial, which has to be positive at 0.
 fn first_root(deflated: &[f64], step: f64) -> Root {
-    let (value, slope) = evaluate(deflated, 0.0);
+    let (value, slope) = match *deflated {
+        [value, slope, ..] => (value, slope),
+        [value] => (value, 0.0),
+        [] => (0.0, 0.0),
+    };
     if value <= 0.0 {
         return Root::Below;
     }
-    let (end, _) = evaluate(deflated, step);
-    // Where the higher terms cannot turn the linear one round, the polynomial falls all the way and has one root at most.
-    let (mut bend, mut power, mut k) = (0.0, step, 2.0);
-    for c in deflated.iter().skip(2) {
-        bend += k * c.abs() * power;
-        power *= step;
-        k += 1.0;
+    if slope < 0.0
+        && let Some(x) = fallen(deflated, step)
+    {
+        return Root::At(x);
     }
-    if bend < -slope {
+    let (end, _) = evaluate(deflated, step);
+    if falls(deflated, step) {
         return if end > 0.0 { Root::None } else { Root::At(polish(deflated, 0.0, step)) };
     }
     let (mut left, mut left_slope) = (0.0, slope);
@@ -248,6 +252,40 @@ fn first_root(deflated: &[f64], step: f64) -> Root {
         (left, left_slope) = (right, slope);
     }
     Root::None
+}
+
+/// Whether the higher terms cannot turn the linear one round: the polynomial falls all the way to `x` and has one root at most.
+fn falls(deflated: &[f64], x: f64) -> bool {
+    let slope = deflated.get(1).copied().unwrap_or(0.0);
+    let (mut bend, mut power, mut k) = (0.0, x, 2.0);
+    for c in deflated.iter().skip(2) {
+        bend += k * c.abs() * power;
+        power *= x;
+        k += 1.0;
+    }
+    bend < -slope
+}
+
+/// The first root if the polynomial falls all the way to it and Newton's method finds it from where the parabola has its own; nothing if not.
+fn fallen(deflated: &[f64], step: f64) -> Option<f64> {
+    let [value, slope, ..] = *deflated else { return None };
+    let mut x = -value / slope;
+    for _ in 0..8 {
+        if !(x > 0.0 && x <= step) {
+            return None;
+        }
+        let (value, slope) = evaluate(deflated, x);
+        let next = x - value / slope;
+        let moved = (next - x).abs();
+        x = next;
+        // The next step would be of the order of the square of this one.
+        if moved <= 1e-9 * x {
+            let (value, slope) = evaluate(deflated, x);
+            let x = x - value / slope;
+            return (x <= step && falls(deflated, x)).then_some(x);
+        }
+    }
+    None
 }
 
 /// The minimum between two points, by bisection of the slope.

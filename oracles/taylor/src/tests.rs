@@ -4,7 +4,7 @@ use contract::{Case, Decline, Ending, History, Horizon, Normalisation, Oracle, S
 
 use crate::Taylor;
 use crate::equation::{Block, excess};
-use crate::series::{Scale, expand};
+use crate::series::{Scale, Terms, expand};
 
 fn case(a: f64, omega: f64, eta: f64, alpha: f64) -> Case {
     let slenderness = Slenderness::new(alpha, Normalisation::Threshold).unwrap();
@@ -37,7 +37,8 @@ fn the_series_satisfies_eq_2_as_printed() {
         let block = Block::new(a - 1.0, omega, 0.9, alpha);
         let scale = Scale { time: 0.1, velocity: 0.5 };
         let unit = scale.time * scale.velocity;
-        let series = expand(&block, &block.forcing(side, tau), &scale, (u / unit, w / scale.velocity), 24);
+        let all = Terms { most: 24, negligible: 0.0 };
+        let series = expand(&block, &block.forcing(side, tau), &scale, (u / unit, w / scale.velocity), all);
         for xi in [0.0_f64, 0.2, 0.7, 1.0] {
             let (mut value, mut second) = (0.0, 0.0);
             for (k, c) in (0_i32..).zip(series.from(0)) {

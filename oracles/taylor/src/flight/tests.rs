@@ -160,6 +160,18 @@ fn a_fall_that_turns_is_told_from_one_that_does_not() {
     assert_eq!(root(&[1.0, -1.0, 0.0, 0.0, 0.2], 4.0), None);
 }
 
+/// Newton's method finds the root of what falls all the way to it, and leaves alone what may have turned before, or has none in the step.
+#[test]
+fn the_root_of_a_fall_is_found_by_newton_alone() {
+    near(fallen(&[1.0, -1.0, 0.01, -0.02], 2.0).unwrap(), root(&[1.0, -1.0, 0.01, -0.02], 2.0).unwrap(), 3e-16);
+    near(fallen(&[2.0, -1.5, 0.125], 2.0).unwrap(), 6.0 - 20.0f64.sqrt(), 3e-16);
+    near(fallen(&[1e-40, -1.0, -1.0], 1.0).unwrap(), 1e-40, 1e-15);
+    // (1 - x)(2 - x)(3 - x) falls to its first root, but its cube could have turned it.
+    assert_eq!(fallen(&[6.0, -11.0, 6.0, -1.0], 3.5), None);
+    assert_eq!((fallen(&[1.0, -1.0], 0.99), fallen(&[1.0, -1.0], 1.0)), (None, Some(1.0)));
+    assert_eq!((fallen(&[1.0, -1.0, 0.26], 4.0), fallen(&[1.0], 4.0)), (None, None));
+}
+
 #[test]
 fn the_lowest_point_and_the_root_are_found_to_the_last_digits() {
     near(minimum(&[0.0, -3.0, 1.0], 0.0, 2.0), 1.5, 1e-15);
