@@ -48,7 +48,9 @@ fn main() {
             Some(Outcome::Complete(time)) => truth
                 .chattering_time
                 .is_some_and(|truth| (time.value - truth.value).abs() <= plan.question.tolerance * truth.value),
-            Some(Outcome::Incomplete) => matches!(truth.history.ending, Ending::Incomplete | Ending::Overturned),
+            Some(Outcome::Incomplete | Outcome::Overturned) => {
+                matches!(truth.history.ending, Ending::Incomplete | Ending::Overturned)
+            }
             Some(Outcome::NeverRocks) => truth.history.ending == Ending::NeverRocks,
             None => false,
         };

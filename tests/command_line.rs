@@ -96,6 +96,55 @@ fn simulate_prints_initiation_and_the_impacts() {
     assert_eq!(stdout("simulate --a 0.5 --omega 2 --eta 0.92").lines().count(), 1);
 }
 
+/// For impacts `auto` takes flights of the very equation that is asked for: beyond `a_cr`, in either normalisation, and however loose the tolerance.
+#[test]
+fn auto_lists_the_impacts_of_the_equation_that_is_asked_for() {
+    for (case, oracle) in [
+        ("--a 1.03 --omega 2 --eta 0.92 --alpha 0.2 --normalisation slender", "taylor"),
+        ("--a 1.06 --omega 2 --eta 0.9 --alpha 0.5", "taylor"),
+        ("--a 1.02 --omega 2 --eta 0.9 --alpha 0.3", "taylor"),
+        ("--a 1.02 --omega 2 --eta 0.9", "closed-form"),
+        ("--a 0.9 --omega 2 --eta 0.9", "closed-form"),
+        ("--a 0.9 --omega 2 --eta 0.9 --alpha 0.3", "taylor"),
+    ] {
+        let auto = stdout(&format!("simulate {case} --impacts 8 --oracle auto --tolerance 1e-2"));
+        assert_eq!(auto, stdout(&format!("simulate {case} --impacts 8 --oracle {oracle}")), "{case}");
+    }
+}
+
+fn scene_file(folder: &Path, block: &str, ground: &str) -> String {
+    let path = folder.join("scene.toml");
+    let text = format!(
+        "title = \"t\"\n[block]\n{block}\n[ground]\n{ground}\nduration = {{ seconds = 10 }}\n[ask]\nmodel = \"nonlinear\"\ntolerance = 1e-4\n"
+    );
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_plan_tells_overturning_from_rocking_on_and_says_why_there_is_no_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let shelf = "half_width = 0.1\nhalf_height = 1.5\nrestitution = 0.92";
+    let strong = "frequency = { hz = 0.3 }\namplitude = { over-threshold = 8.0 }";
+    let scene = scene_file(folder.path(), shelf, strong);
+    assert!(stdout(&format!("plan {scene}")).contains("rocks on or overturns"));
+    // A phase beyond the threshold has to be followed, and then it is known.
+    let scene = scene_file(folder.path(), shelf, &format!("{strong}\nphase = 1.0"));
+    let plan = json(&format!("plan {scene} --format json"));
+    assert_eq!((&plan["answer"]["complete"], &plan["answer"]["overturned"]), (&false.into(), &true.into()));
+    assert!(stdout(&format!("plan {scene}")).contains("the block overturns"));
+    // No error is predicted of a time that there is not.
+    assert!(plan["candidates"].as_array().unwrap().iter().all(|row| row["errors"].is_null()));
+    let scene = scene_file(folder.path(), shelf, "frequency = { hz = 1 }\namplitude = { over-threshold = 1.3 }");
+    assert!(stdout(&format!("plan {scene}")).contains("does not come to rest within half a period"));
+    let scene = scene_file(folder.path(), shelf, "frequency = { hz = 1 }\namplitude = { over-threshold = 0.3 }");
+    let text = stdout(&format!("plan {scene}"));
+    assert!(text.contains("the block never rocks") && text.lines().count() < 13, "{text}");
+    let scene = scene_file(folder.path(), shelf, "frequency = { hz = 1e-9 }\namplitude = { over-threshold = 1.01 }");
+    refused(&format!("plan {scene}"), &["omega", "1e-3 <= omega <= 1e3"]);
+    refused(&format!("chattering-time --scene {scene}"), &["omega", "1e-3 <= omega <= 1e3"]);
+}
+
 #[test]
 fn past_half_a_period_and_overturning() {
     let past = stdout("simulate --a 1.05 --omega 2 --eta 0.92 --until 3");

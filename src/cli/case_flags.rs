@@ -6,11 +6,11 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use anyhow::{Context as _, anyhow, bail};
+use anyhow::{Context as _, bail};
 use chattercheck::{
     case_file::CaseFields,
     panel::{self, Enclosure, Settings},
-    plan::{Plan, Question},
+    plan::Question,
     scene::{self, Scene},
 };
 use clap::Args;
@@ -102,7 +102,7 @@ pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
 /// Which oracle to ask, and its settings.
 #[derive(Args)]
 pub(crate) struct OracleFlags {
-    /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` [default: closed-form; auto for a scene]
+    /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` (for impacts: the fastest on the equation that is asked for) [default: closed-form; auto for a scene]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
     /// For ode and enclosure: the equation of motion, linear or nonlinear [default: nonlinear if --alpha is given]
@@ -131,12 +131,24 @@ impl OracleFlags {
         panel::enclosure(self.name(flags), &self.settings(), equation(case))
     }
 
+    /// Says so where a scene has a phase or a duration that a named oracle, which answers for a case, leaves out.
+    pub fn remark(&self, flags: &CaseFlags) -> anyhow::Result<()> {
+        if let Some(scene) = flags.scene()?.filter(|_| self.name(flags) != "auto") {
+            if scene.question()?.request.is_some() {
+                eprintln!(
+                    "{}: for a motion that passes the threshold and goes on; the phase and the duration of the scene are left out, see `chattercheck scene`",
+                    self.name(flags)
+                );
+            }
+        }
+        Ok(())
+    }
+
     /// The oracle, for a case with or without slenderness.
     pub fn oracle(&self, flags: &CaseFlags, case: &Case) -> anyhow::Result<Box<dyn Oracle>> {
-        if let Some(question) = self.question(flags, case)? {
-            let plan = Plan::new(question);
-            let chosen = plan.stepper().and_then(|candidate| candidate.method.oracle(&question));
-            return chosen.ok_or_else(|| anyhow!("no method can follow the impacts of this case"));
+        // For impacts, other than for a chattering time, it takes flights of the very equation that is asked for.
+        if self.question(flags, case)?.is_some() {
+            return Ok(panel::stepper_of(case));
         }
         Ok(panel::one(self.name(flags), &self.settings(), equation(case))?)
     }

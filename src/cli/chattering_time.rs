@@ -1,4 +1,4 @@
-use anyhow::anyhow;
+use anyhow::{anyhow, bail};
 use chattercheck::{
     observables::Observed,
     panel::Enclosure,
@@ -59,6 +59,7 @@ struct Answer<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut impacts = arguments.impacts.unwrap_or(64);
+    arguments.oracle.remark(&arguments.case)?;
     let mut case = arguments.case.case(impacts)?;
     match (arguments.oracle.enclosure(&arguments.case, &case)?, arguments.digits) {
         (Some(enclosure), None) => return enclosed(arguments, &enclosure, &case),
@@ -101,12 +102,16 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict>
         .into());
     }
     let found = Plan::new(question).answer();
+    if let (None, Some(decline)) = (found.outcome(), found.declined(&question)) {
+        bail!("auto: every method declines, first because {decline}");
+    }
     let (outcome, method) = (found.outcome(), found.method().map_or_else(String::new, |method| method.to_string()));
     let time = found.chattering_time();
     let ending = match outcome {
         None => "no method had an answer",
         Some(Outcome::NeverRocks) => "never rocks",
         Some(Outcome::Incomplete) => "incomplete (still rocking at half a period)",
+        Some(Outcome::Overturned) => "overturned",
         Some(Outcome::Complete(_)) => "at rest (complete chattering)",
     };
     let mut answer = Answer {
@@ -131,7 +136,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict>
             question.tolerance
         );
     }
-    Ok(Verdict::Well)
+    Ok(if outcome.is_some() { Verdict::Well } else { Verdict::Disagreed })
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.
@@ -200,7 +205,7 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
 
 fn text(answer: &Answer) -> String {
     if !answer.rocks {
-        return "does not rock: the amplitude does not exceed the threshold (rocks: false, tau_ch: null)".to_owned();
+        return "does not rock: the ground acceleration does not exceed the threshold while it lasts (rocks: false, tau_ch: null)".to_owned();
     }
     if let (Some(lower), Some(upper)) = (&answer.lower, &answer.upper) {
         return format!("proven: complete, {lower}\n      <= tau_ch <= {upper}, by {}", answer.oracle);

@@ -1,5 +1,6 @@
 use std::path::PathBuf;
 
+use anyhow::bail;
 use chattercheck::plan::{Answer, Candidate, Errors, Outcome, Plan, Question};
 use clap::Args;
 use contract::Invalid;
@@ -45,7 +46,8 @@ struct Document {
 #[derive(Serialize)]
 struct Row {
     method: String,
-    /// `null` if it can't answer.
+    description: &'static str,
+    /// Relative errors of the chattering time; `null` if it can't answer, or if none is predicted.
     errors: Option<Errors>,
     total: Option<f64>,
     cost_microseconds: f64,
@@ -58,9 +60,12 @@ struct Row {
 struct Answered {
     /// The methods that were run, in order.
     ran: Vec<String>,
+    /// How many impacts the last of them took.
+    impacts: usize,
     /// Whether the block comes to rest by complete chattering; `null` if nothing could tell.
     complete: Option<bool>,
     rocks: Option<bool>,
+    overturned: Option<bool>,
     tau_ch: Option<f64>,
     seconds: Option<f64>,
     /// The relative error estimated after the fact.
@@ -76,9 +81,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     let plan = Plan::new(Question { tolerance, ..scene.question()? });
     let answer = plan.answer();
+    if let (None, Some(decline)) = (answer.outcome(), answer.declined(&plan.question)) {
+        bail!("{}: every method declines, first because {decline}", arguments.scene.display());
+    }
     let document = document(scene.title.clone(), scene.block.frequency_parameter(), &plan, &answer);
     arguments.format.print(&document, text)?;
-    Ok(Verdict::Well)
+    Ok(if answer.outcome().is_some() { Verdict::Well } else { Verdict::Disagreed })
 }
 
 fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answer) -> Document {
@@ -86,11 +94,13 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
     let chosen = plan.chosen();
     let rows = plan.candidates.iter().map(|candidate| {
         let is_chosen = chosen.is_some_and(|chosen| chosen.method == candidate.method);
-        let (verdict, why) = verdict(candidate, tolerance, is_chosen);
+        let (verdict, why) = verdict(candidate, plan, is_chosen);
+        let errors = candidate.errors.as_ref().ok().copied().filter(|_| plan.question.is_predicted());
         Row {
             method: candidate.method.to_string(),
-            errors: candidate.errors.as_ref().ok().copied(),
-            total: candidate.errors.as_ref().ok().map(Errors::total),
+            description: candidate.method.description(),
+            errors,
+            total: errors.map(|errors| errors.total()),
             cost_microseconds: candidate.cost,
             verdict,
             why,
@@ -109,8 +119,10 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
         chosen: chosen.map(|candidate| candidate.method.to_string()),
         answer: Answered {
             ran: answer.attempts.iter().map(|attempt| attempt.method.to_string()).collect(),
+            impacts: answer.attempts.last().map_or(0, |attempt| attempt.impacts),
             complete: outcome.map(|outcome| matches!(outcome, Outcome::Complete(_))),
             rocks: outcome.map(|outcome| outcome != Outcome::NeverRocks),
+            overturned: outcome.map(|outcome| outcome == Outcome::Overturned),
             tau_ch: time.map(|time| time.value),
             seconds: time.map(|time| time.value / frequency_parameter),
             relative_uncertainty: time.map(|time| time.uncertainty / time.value),
@@ -119,9 +131,12 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
     }
 }
 
-fn verdict(candidate: &Candidate, tolerance: f64, is_chosen: bool) -> (&'static str, String) {
+fn verdict(candidate: &Candidate, plan: &Plan, is_chosen: bool) -> (&'static str, String) {
+    let Question { tolerance, .. } = plan.question;
     match &candidate.errors {
         Err(why) => ("refused", why.to_string()),
+        Ok(_) if !plan.question.is_predicted() && is_chosen => ("chosen", "the cheapest that can tell".to_owned()),
+        Ok(_) if !plan.question.is_predicted() => ("not needed", "can tell, but is dearer".to_owned()),
         Ok(errors) if is_chosen && errors.total() <= tolerance => {
             ("chosen", "the cheapest that is accurate enough".to_owned())
         }
@@ -151,42 +166,84 @@ fn largest(errors: &Errors) -> &'static str {
 
 fn text(document: &Document) -> String {
     let Document { a, omega, eta, tolerance, .. } = document;
-    let alpha = document.alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha:.4}"));
     let mut lines = vec![
         document.title.clone(),
+        format!("  the ground acceleration is at most {a:.6} times what begins to rock the block (a);"),
         format!(
-            "  a = {a:.6}, omega = {omega:.4}, eta = {eta:.4}{alpha}; asked: the chattering time to {tolerance:.0e} of it"
+            "  the ground moves at {omega:.4} times the block's own frequency p (omega); an impact leaves {eta:.4} of the velocity (eta)"
+        ),
+        document.alpha.map_or_else(
+            || "  the block is taken as slender (Eq. 4)".to_owned(),
+            |alpha| {
+                format!("  the block is taken as it is (Eq. 2), {alpha:.4} rad from upright to its balance (alpha)")
+            },
+        ),
+        format!(
+            "asked: how long it chatters until it rests, to {tolerance:.0e} of that time. What each method would get wrong of it, relative, and take:"
         ),
         format!(
             "  {:22}{:>9}{:>9}{:>9}{:>9}{:>9}{:>11}",
-            "candidate", "model", "trunc.", "steps", "numbers", "total", "cost (us)"
+            "method", "model", "cut off", "steps", "numbers", "total", "cost (us)"
         ),
     ];
+    // What is refused for the same reason shares a line.
+    let mut refused: Vec<(&str, Vec<&str>)> = Vec::new();
     for row in &document.candidates {
-        let numbers = row.errors.map_or_else(
-            || format!("{:>45}", "-"),
-            |errors| {
-                let parts =
-                    [errors.model, errors.truncation, errors.discretisation, errors.conditioning, errors.total()];
-                parts.iter().map(|part| format!("{:>9}", format!("{part:.0e}"))).collect()
-            },
-        );
+        let Some(errors) = row.errors else {
+            if row.verdict == "refused" {
+                match refused.iter_mut().find(|(why, _)| *why == row.why) {
+                    Some((_, methods)) => methods.push(&row.method),
+                    None => refused.push((&row.why, vec![&row.method])),
+                }
+            } else {
+                lines.push(format!(
+                    "  {:22}{:>45}{:>11.1}  {}: {}",
+                    row.method, "-", row.cost_microseconds, row.verdict, row.why
+                ));
+            }
+            continue;
+        };
+        let parts = [errors.model, errors.truncation, errors.discretisation, errors.conditioning, errors.total()];
+        let numbers: String = parts.iter().map(|part| format!("{:>9}", format!("{part:.0e}"))).collect();
         lines
             .push(format!("  {:22}{numbers}{:>11.1}  {}: {}", row.method, row.cost_microseconds, row.verdict, row.why));
     }
-    lines.push(format!("  {}", answered(&document.answer)));
+    for (why, methods) in refused {
+        lines.push(format!("  {} refused: {why}", methods.join(", ")));
+    }
+    lines.push(
+        "  (model: from another equation; cut off: a sum or a series ended early; steps: steps and rounding; numbers: the rounding of the scene's own)"
+            .to_owned(),
+    );
+    lines.push(format!("answer: {}", answered(&document.answer)));
+    if let Some(last) = document.answer.ran.last() {
+        let row = document.candidates.iter().find(|row| row.method == *last);
+        let description = row.map_or("", |row| row.description);
+        let impacts =
+            if document.answer.impacts > 0 { format!(" ({} impacts)", document.answer.impacts) } else { String::new() };
+        lines.push(format!("by {}: {description}{impacts}", document.answer.ran.join(", then ")));
+    }
     lines.join("\n")
 }
 
 fn answered(answer: &Answered) -> String {
-    let ran = answer.ran.join(", then ");
-    match (answer.rocks, answer.seconds, answer.relative_uncertainty) {
-        (None, ..) => format!("no answer (ran {ran})"),
+    match (answer.rocks, answer.overturned, answer.seconds, answer.relative_uncertainty) {
+        (None, ..) => "none; no method could tell".to_owned(),
         (Some(false), ..) => "the block never rocks".to_owned(),
-        (Some(true), Some(seconds), Some(off)) => {
+        (_, Some(true), ..) => "the block overturns".to_owned(),
+        (_, _, Some(seconds), Some(off)) => {
             let meets = if answer.meets_tolerance { "as asked" } else { "WORSE THAN ASKED" };
-            format!("it rests {seconds} s after it began to rock, to {off:.0e} of it, {meets} (ran {ran})")
+            format!("it rests {} s after it began to rock, to {off:.0e} of it, {meets}", meaningful(seconds, off))
         }
-        _ => format!("it does not come to rest within half a period of the ground motion (ran {ran})"),
+        _ => "it does not come to rest within half a period of the ground motion: it rocks on or overturns, `chattercheck scene` tells which".to_owned(),
     }
+}
+
+/// A number with the digits that its relative error leaves, and two more.
+fn meaningful(value: f64, off: f64) -> String {
+    let digits = (3.0 - off.max(1e-16).log10()).clamp(3.0, 17.0);
+    let decimals = (digits - value.log10().floor() - 1.0).max(0.0);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and some tens
+    let decimals = decimals as usize;
+    format!("{value:.decimals$}")
 }

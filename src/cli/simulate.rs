@@ -68,6 +68,7 @@ struct Document<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let case = arguments.case.case(arguments.impacts)?;
     let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
+    arguments.oracle.remark(&arguments.case)?;
     let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     let rows = rows(&history);
     let mut stdout = std::io::stdout().lock();

@@ -78,10 +78,28 @@ impl Method {
         }
     }
 
-    /// Whether it is an oracle that lists impacts with the error that is predicted here. The corrected one lists those of another correction, whose claims
-    /// take longer than the flights of Eq. 2.
-    pub(super) fn lists_impacts(self) -> bool {
-        matches!(self, Self::Linear | Self::Nonlinear | Self::Ode | Self::Enclosure)
+    /// What it does, for someone who does not know its name.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Nothing => "no computation at all",
+            Self::CriticalAmplitude => "the table of the largest amplitude at which a block comes to rest",
+            Self::Linear => {
+                "exact flights of the slender block from impact to impact, and a formula for the infinitely many that are left"
+            }
+            Self::Corrected => {
+                "flights of the slender block, each corrected for how stocky the block is, and a formula for the infinitely many that are left"
+            }
+            Self::PaperSeries => "the approximation of the paper for weak shaking, Eq. 65",
+            Self::Series(_) => "the approximation for weak shaking with more terms",
+            Self::Nonlinear => {
+                "flights of the block as it is, each by a power series, and a formula for the infinitely many that are left"
+            }
+            Self::Ode => "a general solver of differential equations on the block as it is",
+            Self::Resummed => {
+                "the approximation for weak shaking summed up to the largest amplitude at which a block comes to rest"
+            }
+            Self::Enclosure => "bounds that are proven",
+        }
     }
 
     /// The equation that it solves, if it solves one.

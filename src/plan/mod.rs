@@ -46,6 +46,12 @@ impl Question {
     /// The tolerance of a question that names none.
     pub const DEFAULT_TOLERANCE: f64 = 1e-6;
 
+    /// Whether errors of a chattering time are predicted: not outside of the range in which they were measured, and not where there is none. What is asked
+    /// there has to say itself how far it is off.
+    pub fn is_predicted(&self) -> bool {
+        self.place.is_some_and(|place| place.share <= 1.0)
+    }
+
     /// The slenderness, 0 for the linear model.
     pub fn alpha(&self) -> f64 {
         self.case.slenderness().map_or(0.0, |slenderness| slenderness.alpha())
@@ -92,16 +98,7 @@ impl Plan {
 
     /// The candidate that is chosen: the cheapest that is predicted to meet the tolerance, or if none is, the one with the smallest error.
     pub fn chosen(&self) -> Option<&Candidate> {
-        self.cheapest(|_| true)
-    }
-
-    /// The same among the oracles that list impacts.
-    pub fn stepper(&self) -> Option<&Candidate> {
-        self.cheapest(Method::lists_impacts)
-    }
-
-    fn cheapest(&self, wanted: impl Fn(Method) -> bool) -> Option<&Candidate> {
-        let able = || self.candidates.iter().filter(|candidate| candidate.errors.is_ok() && wanted(candidate.method));
+        let able = || self.candidates.iter().filter(|candidate| candidate.errors.is_ok());
         let total = |candidate: &Candidate| candidate.errors.as_ref().map_or(f64::INFINITY, Errors::total);
         let meets = able().find(|candidate| candidate.meets(self.question.tolerance));
         meets.or_else(|| able().min_by(|one, other| total(one).total_cmp(&total(other))))

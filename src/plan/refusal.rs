@@ -28,8 +28,14 @@ pub enum Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Rocks(share) => write!(f, "the block rocks: the ground acceleration is {share} of the threshold"),
-            Self::NeverRocks(share) => write!(f, "not needed: the ground acceleration is {share} of the threshold"),
+            Self::Rocks(share) => write!(
+                f,
+                "there is something to compute: the ground acceleration is {share:.4} times what begins to rock the block"
+            ),
+            Self::NeverRocks(share) => write!(
+                f,
+                "there is nothing to compute: the ground acceleration is {share:.4} times what begins to rock the block"
+            ),
             Self::LinearAsked => f.write_str("the linear model is asked for"),
             Self::Motion => {
                 f.write_str("not for a motion that starts above the threshold, or may end before the block rests")

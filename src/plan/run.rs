@@ -1,6 +1,6 @@
 //! Running the chosen candidate, and the next one where its answer is worse than asked.
 
-use contract::{Ending, Estimate, Oracle};
+use contract::{Decline, Ending, Estimate, Oracle};
 
 use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
 use crate::{
@@ -27,8 +27,10 @@ pub struct Attempt {
 pub enum Outcome {
     /// The block never rocks.
     NeverRocks,
-    /// The chattering is incomplete.
+    /// The chattering is incomplete: the block does not come to rest within half a period. It rocks on, or overturns later.
     Incomplete,
+    /// It overturns.
+    Overturned,
     /// The chattering time in `τ`, and the error estimated after the fact: everything that is known to be wrong with it, absolute.
     Complete(Estimate),
 }
@@ -52,8 +54,14 @@ impl Answer {
     pub fn chattering_time(&self) -> Option<Estimate> {
         match self.outcome()? {
             Outcome::Complete(time) => Some(time),
-            Outcome::NeverRocks | Outcome::Incomplete => None,
+            Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned => None,
         }
+    }
+
+    /// Why the first of the methods that had no answer declined, if one did.
+    pub fn declined(&self, question: &Question) -> Option<Decline> {
+        let silent = self.attempts.iter().filter(|attempt| attempt.found.is_none());
+        silent.filter_map(|attempt| attempt.method.oracle(question)?.flights(&question.case).err()).next()
     }
 
     /// The method whose answer it is.
@@ -74,7 +82,7 @@ pub(super) fn answer(plan: &Plan) -> Answer {
         let (found, impacts) = run(candidate, question);
         attempts.push(Attempt { method: candidate.method, found, impacts });
         let meets = match found {
-            Some(Outcome::NeverRocks | Outcome::Incomplete) => true,
+            Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned) => true,
             Some(Outcome::Complete(time)) => time.uncertainty <= question.tolerance * time.value,
             None => false,
         };
@@ -102,7 +110,8 @@ fn asked(method: Method, question: &Question, errors: &Errors) -> Option<(Option
     let case = question.case.with_max_impacts(IMPACTS).ok()?;
     let observed = ask(method.oracle(question)?.as_ref(), &case).into_observed()?;
     let outcome = match observed.history.ending {
-        Ending::Incomplete | Ending::Overturned => Some(Outcome::Incomplete),
+        Ending::Incomplete => Some(Outcome::Incomplete),
+        Ending::Overturned => Some(Outcome::Overturned),
         _ => observed.chattering_time.map(|time| Outcome::Complete(with(time, errors.model + errors.conditioning))),
     };
     Some((outcome, observed.history.impacts.len()))
@@ -124,6 +133,7 @@ fn stepped(method: Method, question: &Question, errors: &Errors) -> Option<(Opti
     Some(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
         Found::Complete(time, impacts) => (Some(Outcome::Complete(with(time, known(errors)))), impacts),
         Found::Incomplete(impacts) => (Some(Outcome::Incomplete), impacts),
+        Found::Overturned(impacts) => (Some(Outcome::Overturned), impacts),
         Found::Undecided => (None, 0),
     })
 }
@@ -141,7 +151,8 @@ fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Option<
         BoutEnd::Complete { uncertainty } => {
             Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
         }
-        BoutEnd::Overturned | BoutEnd::Cut => Some(Outcome::Incomplete),
+        BoutEnd::Overturned => Some(Outcome::Overturned),
+        BoutEnd::Cut => Some(Outcome::Incomplete),
         _ => None,
     };
     Some((outcome, bout.impacts()))

@@ -18,8 +18,10 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub enum Found {
     /// Complete chattering, with the chattering time and what is expected to be wrong with it, absolute; and the impacts that it took.
     Complete(Estimate, usize),
-    /// The block still rocks at `T/2`, or has overturned.
+    /// The block still rocks at `T/2`.
     Incomplete(usize),
+    /// It has overturned before.
+    Overturned(usize),
     /// The limit of impacts came first, or a flight was lost.
     Undecided,
 }
@@ -35,7 +37,8 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
         let left = half_period - departure.time;
         let (interval, speed) = match solver.fly(&departure, left) {
             Arrival::Impact { interval, speed } => (interval, speed),
-            Arrival::Aloft { .. } | Arrival::Overturned { .. } => return Found::Incomplete(history.impacts.len()),
+            Arrival::Aloft { .. } => return Found::Incomplete(history.impacts.len()),
+            Arrival::Overturned { .. } => return Found::Overturned(history.impacts.len()),
             Arrival::Lost(_) => break,
         };
         // Neumaier's sum: the intervals are soon far below the time.

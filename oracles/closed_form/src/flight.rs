@@ -34,7 +34,7 @@ pub(crate) enum Outcome {
     Aloft,
     /// No return is possible.
     Overturned,
-    /// The iteration did not end. Not known to happen; the sequence is reported as lost.
+    /// The iteration did not end; the sequence is reported as lost. Known to happen just above the threshold of very slow shaking (`ε = 5e-13`, `ω = 2e-6`).
     Stuck,
 }
 

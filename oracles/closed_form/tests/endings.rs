@@ -100,3 +100,8 @@ proptest! {
         prop_assert_eq!(history(&case).ending, Ending::Overturned);
     }
 }
+
+#[test]
+fn it_answers_to_the_name_by_which_it_is_asked() {
+    assert_eq!((ClosedForm.name(), ClosedForm.model()), ("closed-form", contract::Model::Linear));
+}
