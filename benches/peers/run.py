@@ -4,9 +4,11 @@ Usage: run.py [OUT], after `cargo build --release --example peers`; OUT is data/
 """
 
 import csv
+import datetime
 import importlib
 import json
 import os
+import platform
 import resource
 import signal
 import subprocess
@@ -77,7 +79,17 @@ def table(rows):
         lost = f"{row['cases_lost']} of {row['cases']}" if "cases" in row else "-"
         cells = [f"{row['tool']} {row['version']}", row["setting"], *numbers, lost, row.get("impacts_resolved", "-"), row["outcome"]]
         lines.append("| " + " | ".join(map(str, cells)) + " |")
-    return "\n".join(lines) + "\n"
+    return "\n".join([when_and_where(), "", *lines]) + "\n"
+
+
+def when_and_where():
+    """The date, and what it ran on."""
+    model = "unknown processor"
+    if os.path.exists("/proc/cpuinfo"):
+        with open("/proc/cpuinfo") as file:
+            names = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
+        model = next(iter(names), model)
+    return f"{datetime.date.today()}, {model}, {os.cpu_count()} cores, Python {platform.python_version()}."
 
 
 def main():

@@ -47,7 +47,7 @@ pub struct BlockFields {
 
 /// A number, or a rule.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "restitution: allowed is a number above 0 and below 1, or \"housner\"")]
 pub enum Restitution {
     /// The value.
     Value(f64),
