@@ -90,6 +90,7 @@ pub fn draw(table: &Table) -> Result<String, chart::Error> {
         });
         let mut series = series.collect::<Result<Vec<_>, chart::Error>>()?;
         series.retain(|series| !series.points.is_empty());
+        let tolerance = tolerance.parse::<f64>().map_or(tolerance.to_owned(), |tolerance| format!("{tolerance:e}"));
         Ok(Panel::new(format!("tolerance {tolerance}"), series).with_marks(vec![Mark::at(1.0, "a_{cr}")]))
     });
     LineChart {
