@@ -5,6 +5,7 @@ mod exact;
 
 use asymptotic::{
     Asymptotic, Expansion, Order, RESUMMED_TERMS, Resummed, approach, coefficients, exponent_of_coefficients, ratios,
+    scaled_tail,
 };
 use contract::{Case, Oracle};
 
@@ -151,5 +152,18 @@ fn where_it_was_not_calibrated_it_declines() {
     for (omega, eta) in [(0.4, 0.9), (2.0, 0.49), (2.0, 0.985)] {
         let decline = Resummed::new(&Expansion::new(omega, eta, 20, 0).unwrap()).unwrap_err();
         assert_eq!(decline.reason(), "out of range", "{omega} {eta}");
+    }
+}
+
+/// Scaled by what a branch point at `a_cr` with the known exponent makes of them, the coefficients vary slowly: their last ten by less than a tenth.
+#[test]
+fn the_scaled_coefficients_vary_slowly() {
+    for (omega, eta, critical) in certified() {
+        let tail = scaled_tail(&Expansion::new(omega, eta, 60, 0).unwrap(), critical);
+        let last = &tail[tail.len() - 10..];
+        let fold = |of: fn(f64, f64) -> f64, start| last.iter().fold(start, |one, other: &f64| of(one, *other));
+        let (least, most) = (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY));
+        println!("{omega} {eta}: {} from {least} to {most}", tail.len());
+        assert!(tail.len() == 60 && most < 0.0 && least / most < 1.1, "{omega} {eta}: {least} to {most}");
     }
 }
