@@ -10,7 +10,7 @@ use super::{
 /// An instruction set. Those without a fused multiply-add give the same bits, and so do those with it; the two differ by rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InstructionSet {
-    /// No registers of several lanes, but two cases at once, which do not wait for each other.
+    /// No registers of several lanes; four cases at once all the same, because they do not wait for each other.
     Scalar,
     /// What every machine of the target has: on x86-64, SSE2.
     Baseline,
@@ -45,8 +45,10 @@ impl InstructionSet {
         }
     }
 
-    /// Does the work, on two registers at once: operation by operation where they are narrow, and with what finds its operands by itself where both together are
-    /// more than the registers of the machine; with the baseline where the machine lacks the instruction set.
+    /// Does the work; with the next slower instruction set where the machine lacks this one.
+    ///
+    /// Two registers are worked on at once. Where they are narrow they take turns with each operation (`Many`); two of AVX2 would be too much for the registers that
+    /// there are, so that they take turns with each stage of a flight (`GROUPS` of the pool). Which is faster was measured.
     pub(super) fn run(self, work: &Work, rows: &mut Rows) -> Tally {
         match self {
             Self::Scalar => pool::run::<_, 2>(Many([0.0; 2]), work, rows),
