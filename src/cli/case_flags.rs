@@ -133,13 +133,14 @@ impl OracleFlags {
 
     /// Says so where a scene has a phase or a duration that a named oracle, which answers for a case, leaves out.
     pub fn remark(&self, flags: &CaseFlags) -> anyhow::Result<()> {
-        if let Some(scene) = flags.scene()?.filter(|_| self.name(flags) != "auto") {
-            if scene.question()?.request.is_some() {
-                eprintln!(
-                    "{}: for a motion that passes the threshold and goes on; the phase and the duration of the scene are left out, see `chattercheck scene`",
-                    self.name(flags)
-                );
-            }
+        if let Some(scene) = flags.scene()?
+            && self.name(flags) != "auto"
+            && scene.question()?.request.is_some()
+        {
+            eprintln!(
+                "{}: for a motion that passes the threshold and goes on; the phase and the duration of the scene are left out, see `chattercheck scene`",
+                self.name(flags)
+            );
         }
         Ok(())
     }
