@@ -6,7 +6,7 @@ pub use asymptotic::{
     exponent_of_coefficients, ratios, scaled_tail,
 };
 use closed_form::ClosedForm;
-use contract::{Case, Decline, Invalid, Model, Oracle};
+use contract::{Decline, Invalid, Model, Oracle};
 pub use enclosure::{Bounds, Critical, Enclosure};
 use ode::{Equation, Flights};
 pub use ode::{Method, Ode, Restart};
@@ -77,9 +77,12 @@ pub fn stepper() -> Box<dyn Oracle> {
     Box::new(ClosedForm)
 }
 
-/// The oracle that steps fastest on the equation of a case: Eq. 2 with a slenderness, Eq. 4 without.
-pub fn stepper_of(case: &Case) -> Box<dyn Oracle> {
-    if case.slenderness().is_some() { Box::new(Taylor) } else { stepper() }
+/// The oracle that steps fastest on an equation of motion: Eq. 4 or Eq. 2.
+pub fn stepper_of(model: Model) -> Box<dyn Oracle> {
+    match model {
+        Model::Linear => stepper(),
+        Model::Nonlinear => Box::new(Taylor),
+    }
 }
 
 /// The linear oracle corrected to first order for the slenderness of the block.

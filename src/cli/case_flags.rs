@@ -14,7 +14,7 @@ use chattercheck::{
     scene::{self, Scene},
 };
 use clap::Args;
-use contract::{Case, Horizon, Invalid, Normalisation, Oracle, Slenderness};
+use contract::{Case, Horizon, Invalid, Model, Normalisation, Oracle, Slenderness};
 
 /// A dimensionless case. Each value means the double nearest to it.
 #[derive(Args)]
@@ -149,7 +149,8 @@ impl OracleFlags {
     pub fn oracle(&self, flags: &CaseFlags, case: &Case) -> anyhow::Result<Box<dyn Oracle>> {
         // For impacts, other than for a chattering time, it takes flights of the very equation that is asked for.
         if self.question(flags, case)?.is_some() {
-            return Ok(panel::stepper_of(case));
+            let model = if case.slenderness().is_some() { Model::Nonlinear } else { Model::Linear };
+            return Ok(panel::stepper_of(model));
         }
         Ok(panel::one(self.name(flags), &self.settings(), equation(case))?)
     }

@@ -102,7 +102,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict>
         .into());
     }
     let found = Plan::new(question).answer();
-    if let (None, Some(decline)) = (found.outcome(), found.declined(&question)) {
+    if let (None, Some(decline)) = (found.outcome(), found.declined()) {
         bail!("auto: every method declines, first because {decline}");
     }
     let (outcome, method) = (found.outcome(), found.method().map_or_else(String::new, |method| method.to_string()));

@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     let plan = Plan::new(Question { tolerance, ..scene.question()? });
     let answer = plan.answer();
-    if let (None, Some(decline)) = (answer.outcome(), answer.declined(&plan.question)) {
+    if let (None, Some(decline)) = (answer.outcome(), answer.declined()) {
         bail!("{}: every method declines, first because {decline}", arguments.scene.display());
     }
     let document = document(scene.title.clone(), scene.block.frequency_parameter(), &plan, &answer);

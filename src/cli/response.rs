@@ -122,7 +122,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     arguments.check()?;
     let request = scene.response(arguments.until, arguments.termination()?)?;
-    let oracle = scene.stepper()?;
+    let oracle = scene.stepper();
     let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
     let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
     match arguments.format {

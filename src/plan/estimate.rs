@@ -50,7 +50,7 @@ pub const MEASURED: [std::ops::RangeInclusive<f64>; 2] = [0.5..=8.0, 0.5..=0.97]
 /// the enclosure by `tests/plan.rs`.
 const SECOND_ORDER: f64 = 0.4;
 
-/// What the quadrature leaves of the first order.
+/// What the quadrature leaves of the first order: three times what its rules are good to.
 const QUADRATURE: f64 = 3e-6;
 
 /// The interpolant of the critical amplitude is good to far less than this of `a_cr - 1`.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use contract::{FlightSolver, Model, Oracle};
+use contract::{Decline, FlightSolver, Model, Oracle};
 
 use super::{Question, Refusal, estimate::Errors};
 use crate::{
@@ -66,16 +66,17 @@ impl Method {
     }
 
     /// The solver of its flights, if it goes from flight to flight.
-    pub(super) fn flights(self, question: &Question) -> Option<Box<dyn FlightSolver>> {
-        match self {
-            Self::Linear => panel::stepper().flights(&question.case).ok(),
-            Self::Corrected => {
-                let flights = linearisation::Flights::new(panel::stepper().as_ref(), &question.case).ok()?;
-                Some(Box::new(flights))
-            }
-            Self::Nonlinear => self.oracle(question)?.flights(&question.case).ok(),
-            _ => None,
-        }
+    ///
+    /// # Errors
+    /// When that declines the case.
+    pub(super) fn flights(self, question: &Question) -> Result<Option<Box<dyn FlightSolver>>, Decline> {
+        let case = &question.case;
+        Ok(Some(match self {
+            Self::Linear => panel::stepper().flights(case)?,
+            Self::Corrected => Box::new(linearisation::Flights::new(panel::stepper().as_ref(), case)?),
+            Self::Nonlinear => panel::stepper_of(Model::Nonlinear).flights(case)?,
+            _ => return Ok(None),
+        }))
     }
 
     /// What it does, for someone who does not know its name.

@@ -4,7 +4,7 @@ use contract::{Decline, Ending, Estimate, Oracle};
 
 use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
 use crate::{
-    answer::ask,
+    answer::{Outcome as Said, ask},
     response::{BoutEnd, Request, Response},
 };
 
@@ -12,12 +12,14 @@ use crate::{
 const IMPACTS: usize = 400;
 
 /// One method that was run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
     /// The method.
     pub method: Method,
     /// What it found; `None` if it had no answer.
     pub found: Option<Outcome>,
+    /// Why it had none, if it declined.
+    pub declined: Option<Decline>,
     /// How many impacts it took.
     pub impacts: usize,
 }
@@ -58,10 +60,9 @@ impl Answer {
         }
     }
 
-    /// Why the first of the methods that had no answer declined, if one did.
-    pub fn declined(&self, question: &Question) -> Option<Decline> {
-        let silent = self.attempts.iter().filter(|attempt| attempt.found.is_none());
-        silent.filter_map(|attempt| attempt.method.oracle(question)?.flights(&question.case).err()).next()
+    /// Why the first of the methods that declined did, if one did.
+    pub fn declined(&self) -> Option<&Decline> {
+        self.attempts.iter().find_map(|attempt| attempt.declined.as_ref())
     }
 
     /// The method whose answer it is.
@@ -79,8 +80,11 @@ pub(super) fn answer(plan: &Plan) -> Answer {
     // Then those that are dearer, as far as they are predicted to be better.
     let later = able().skip(from + 1).filter(|candidate| candidate.meets(question.tolerance));
     for candidate in able().skip(from).take(1).chain(later) {
-        let (found, impacts) = run(candidate, question);
-        attempts.push(Attempt { method: candidate.method, found, impacts });
+        let (found, impacts, declined) = match run(candidate, question) {
+            Ok((found, impacts)) => (found, impacts, None),
+            Err(decline) => (None, 0, Some(decline)),
+        };
+        attempts.push(Attempt { method: candidate.method, found, declined, impacts });
         let meets = match found {
             Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned) => true,
             Some(Outcome::Complete(time)) => time.uncertainty <= question.tolerance * time.value,
@@ -93,28 +97,35 @@ pub(super) fn answer(plan: &Plan) -> Answer {
     Answer { attempts, meets: false }
 }
 
-fn run(candidate: &Candidate, question: &Question) -> (Option<Outcome>, usize) {
-    let Ok(errors) = &candidate.errors else { return (None, 0) };
+/// What was found, if anything, and how many impacts it took.
+type Ran = Result<(Option<Outcome>, usize), Decline>;
+
+fn run(candidate: &Candidate, question: &Question) -> Ran {
+    let Ok(errors) = &candidate.errors else { return Ok((None, 0)) };
     match candidate.method {
-        Method::Nothing => (Some(Outcome::NeverRocks), 0),
-        Method::CriticalAmplitude => (Some(Outcome::Incomplete), 0),
-        Method::Linear | Method::Corrected | Method::Nonlinear => {
-            stepped(candidate.method, question, errors).unwrap_or((None, 0))
-        }
-        method => asked(method, question, errors).unwrap_or((None, 0)),
+        Method::Nothing => Ok((Some(Outcome::NeverRocks), 0)),
+        Method::CriticalAmplitude => Ok((Some(Outcome::Incomplete), 0)),
+        Method::Linear | Method::Corrected | Method::Nonlinear => stepped(candidate.method, question, errors),
+        method => asked(method, question, errors),
     }
 }
 
 /// An oracle's answer.
-fn asked(method: Method, question: &Question, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
-    let case = question.case.with_max_impacts(IMPACTS).ok()?;
-    let observed = ask(method.oracle(question)?.as_ref(), &case).into_observed()?;
+fn asked(method: Method, question: &Question, errors: &Errors) -> Ran {
+    let (Some(oracle), Ok(case)) = (method.oracle(question), question.case.with_max_impacts(IMPACTS)) else {
+        return Ok((None, 0));
+    };
+    let observed = match ask(oracle.as_ref(), &case).outcome {
+        Said::Observed(observed) => observed,
+        Said::Declined(why) => return Err(why),
+        Said::Panicked(_) => return Ok((None, 0)),
+    };
     let outcome = match observed.history.ending {
         Ending::Incomplete => Some(Outcome::Incomplete),
         Ending::Overturned => Some(Outcome::Overturned),
         _ => observed.chattering_time.map(|time| Outcome::Complete(with(time, errors.model + errors.conditioning))),
     };
-    Some((outcome, observed.history.impacts.len()))
+    Ok((outcome, observed.history.impacts.len()))
 }
 
 /// The estimate with a relative error that its method does not know of.
@@ -123,14 +134,14 @@ fn with(time: Estimate, relative: f64) -> Estimate {
 }
 
 /// Flights, no more than are needed.
-fn stepped(method: Method, question: &Question, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
+fn stepped(method: Method, question: &Question, errors: &Errors) -> Ran {
     if let Some(request) = &question.request {
-        return responded(method.oracle(question)?.as_ref(), request, errors);
+        return method.oracle(question).map_or(Ok((None, 0)), |oracle| responded(oracle.as_ref(), request, errors));
     }
-    let solver = method.flights(question)?;
+    let Some(solver) = method.flights(question)? else { return Ok((None, 0)) };
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
-    Some(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
+    Ok(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
         Found::Complete(time, impacts) => (Some(Outcome::Complete(with(time, known(errors)))), impacts),
         Found::Incomplete(impacts) => (Some(Outcome::Incomplete), impacts),
         Found::Overturned(impacts) => (Some(Outcome::Overturned), impacts),
@@ -144,9 +155,9 @@ fn known(errors: &Errors) -> f64 {
 }
 
 /// The first rocking of a motion that is not that of a case.
-fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Option<(Option<Outcome>, usize)> {
-    let response = Response::new(oracle, request).ok()?;
-    let Some(bout) = response.bouts.first() else { return Some((Some(Outcome::NeverRocks), 0)) };
+fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Ran {
+    let response = Response::new(oracle, request)?;
+    let Some(bout) = response.bouts.first() else { return Ok((Some(Outcome::NeverRocks), 0)) };
     let outcome = match bout.outcome {
         BoutEnd::Complete { uncertainty } => {
             Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
@@ -155,5 +166,5 @@ fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Option<
         BoutEnd::Cut => Some(Outcome::Incomplete),
         _ => None,
     };
-    Some((outcome, bout.impacts()))
+    Ok((outcome, bout.impacts()))
 }

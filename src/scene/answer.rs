@@ -1,12 +1,12 @@
 //! What a scene asks, answered.
 
-use contract::{Case, Decline, Ground, Invalid, Model, Oracle};
+use contract::{Case, Decline, Ground, Invalid, Oracle};
 use serde::Serialize;
 
 use super::{Question, Scene};
 use crate::{
     answer::ask,
-    panel::{self, Settings},
+    panel,
     response::{Bout, BoutEnd, Response, Termination},
 };
 
@@ -78,15 +78,8 @@ pub struct Summary {
 
 impl Scene {
     /// The method that follows this scene's flights.
-    ///
-    /// # Errors
-    /// Never, as far as the panel has it.
-    pub fn stepper(&self) -> Result<Box<dyn Oracle>, Invalid> {
-        let (name, equation) = match self.ask.model {
-            Model::Linear => ("closed-form", "linear"),
-            Model::Nonlinear => ("taylor", "nonlinear"),
-        };
-        panel::one(name, &Settings::default(), equation)
+    pub fn stepper(&self) -> Box<dyn Oracle> {
+        panel::stepper_of(self.ask.model)
     }
 
     /// Answers what the scene asks.
@@ -94,7 +87,7 @@ impl Scene {
     /// # Errors
     /// When its numbers leave the range of a case, or the method declines it.
     pub fn answers(&self) -> Result<Answers, AnswerError> {
-        let oracle = self.stepper()?;
+        let oracle = self.stepper();
         let request = self.response(None, Termination::Exact)?;
         let response = Response::new(oracle.as_ref(), &request)
             .map_err(|why| AnswerError::Declined { oracle: oracle.name().to_owned(), why })?;

@@ -41,7 +41,7 @@ pub(crate) struct Calibration {
 
 impl Calibration {
     /// Against proven enclosures, by `chattercheck verify --judge all`: no claim of the default run is smaller than the true error, and the median
-    /// is some 30 to 70 times as large. The coarse run alone, with larger safeties, fell short in one case of 2,000.
+    /// is some 30 to 90 times as large. The coarse run alone, with larger safeties, fell short in one case of 2,000.
     pub fn of(method: Method) -> Self {
         match method {
             Method::Tsit45 => Self { safety: [2.4, 0.24], floor: 3.2 },

@@ -117,6 +117,7 @@ impl Method {
     /// The tolerance unless told otherwise: about where the method is still fast and a smaller one no longer pays.
     pub fn default_rtol(self) -> f64 {
         match self {
+            // With 1e-12 the claims hid a relative error of 1e-12 in ω from the gate.
             Self::Tsit45 => 4e-13,
             Self::Bdf => 1e-9,
             Self::TrBdf2 => 1e-8,

@@ -28,6 +28,7 @@ pub(super) struct Blocks<L: Lanes> {
     pub cosine: L,
     /// `max(1, ω)`.
     pub rate: L,
+    /// `ω²`.
     pub squared: L,
     /// The `q` of `flow`.
     pub series: [L; TERMS],
