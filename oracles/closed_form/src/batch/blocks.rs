@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     lanes::{Lanes, Twofold},
-    motion::{FEW, REACH, SHORT, SOME, Start, Step, TERMS, step},
+    motion::{FEW, REACH, SHORT, SOME, Step, TERMS, step},
 };
 
 /// How many steps are tried before a flight is left to the scalar code.
@@ -47,25 +47,35 @@ pub(super) struct Blocks<L: Lanes> {
     pub jerk: L,
     /// 1 where the rest of the sequence is certain.
     pub complete: L,
+    /// Of the flight that each block makes: the speed of the departure, and `-i f''` there.
+    pub departure: L,
+    pub snap: L,
+    /// Where it may end, and the impact that it comes to.
+    guess: L,
+    landing: Step<L>,
+    /// Where one is found.
+    found: L::Mask,
+    /// Where it is not sure that it is the first one, and everywhere else that the lanes are not made for. These are left as they were before the flight.
+    pub unsure: L::Mask,
 }
 
-/// What a flight ends with.
+/// An impact in each lane.
 #[derive(Clone, Copy)]
-pub(super) struct Landed<L: Lanes> {
+pub(super) struct Impact<L> {
     pub time: L,
     pub interval: L,
     pub velocity: L,
-    /// Where it is not sure that this is the first impact, and everywhere else that the lanes are not made for.
-    pub unsure: L::Mask,
-    /// Time and speed at the start of the flight.
-    pub before: [Twofold<L>; 2],
 }
 
 /// `-1 - i f` and `-i f'`, on the side of the first flight or on the other; see `forcing`.
 #[inline(always)]
 pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin: L, cos: L) -> [L; 2] {
-    let rate = omega * (cosine * ((cos - sin) * (cos + sin)) - (sin + sin) * cos);
-    if FIRST_SIDE { [(sin + sin) * (cosine * cos - sin), rate] } else { [-((cos + cos) * (cos + cosine * sin)), -rate] }
+    let (by_cosine, by_one) = (cosine * ((cos - sin) * (cos + sin)), (sin + sin) * cos);
+    if FIRST_SIDE {
+        [(sin + sin) * cosine.times_plus(cos, -sin), omega * (by_cosine - by_one)]
+    } else {
+        [-(cos + cos) * cosine.times_plus(sin, cos), omega * (by_one - by_cosine)]
+    }
 }
 
 /// `1 + a z (1 + b z (1 + c z))`
@@ -78,7 +88,6 @@ fn nested<L: Lanes>(z: L, [a, b, c]: [f64; 3]) -> L {
 #[inline(always)]
 fn further<L: Lanes, const N: usize>(
     blocks: &Blocks<L>,
-    start: &Start<L>,
     s: L,
     mask: L::Mask,
     (here, found): (Step<L>, L::Mask),
@@ -86,81 +95,83 @@ fn further<L: Lanes, const N: usize>(
     if !L::any(mask) {
         return (here, found);
     }
-    let (next, last) = step::<L, N>(blocks, start, s);
+    let (next, last) = step::<L, N>(blocks, s);
     (next.or(mask, here), found | (last & mask))
 }
 
 impl<L: Lanes> Blocks<L> {
     /// What drives the flight that each block is about to make, and where it may end.
     #[inline(always)]
-    pub fn take_off(&self) -> (Start<L>, L) {
-        let start = Start {
-            speed: self.speed.value(),
-            acceleration: self.acceleration,
-            jerk: self.jerk,
-            snap: -(self.squared * self.acceleration.plus(1.0)),
-        };
-        (start, self.guess(&start))
+    pub fn take_off(&mut self) {
+        self.departure = self.speed.value();
+        self.snap = self.squared * (self.omega.all(-1.0) - self.acceleration);
+        self.guess = self.guess();
     }
 
-    /// The blocks after the impact that ends their flights, all to the same side.
+    /// The impact that the flight comes to.
     #[inline(always)]
-    pub fn hit<const FIRST_SIDE: bool>(
-        &mut self,
-        start: &Start<L>,
-        (landing, found): &(Step<L>, L::Mask),
-    ) -> Landed<L> {
+    pub fn land(&mut self) {
+        (self.landing, self.found) = self.landing();
+    }
+
+    /// The blocks after the impact that ends their flights, all to the same side; and whether it is not sure in any lane.
+    #[inline(always)]
+    pub fn hit<const FIRST_SIDE: bool>(&mut self) -> (Impact<L>, bool) {
         let (one, zero) = (self.omega.all(1.0), self.omega.all(0.0));
         let busy = zero.below(self.busy);
-        let first = self.is_first(start, landing.interval, busy);
+        let Step { interval, gain, turn: [up, down] } = self.landing;
+        let speed = self.speed.less(gain).times(self.eta);
+        let departure = speed.value();
+        let mut sure = self.found & speed.high.all(SLOWEST).below(departure);
+        let bounded = self.is_bounded(interval);
+        let open = self.complete.below(one);
+        let any_open = L::any(busy & open);
+        let first = if any_open { (open & self.is_first(interval)) | (bounded & !open) } else { bounded };
 
-        let before = [self.time, self.speed];
-        self.time = self.time.plus(landing.interval);
-        self.speed = self.speed.plus(-landing.gain).times(self.eta);
-        let [up, down] = landing.turn;
         self.sin = self.sin.plus(up);
-        self.cos = self.cos.plus(-down);
-        let (time, speed, cos) = (self.time.value(), self.speed.value(), self.cos.value());
-        let [acceleration, jerk] = if FIRST_SIDE {
-            forcing::<L, false>(self.cosine, self.omega, self.sin.value(), cos)
+        self.cos = self.cos.less(down);
+        let (sin, cos) = (self.sin.value(), self.cos.value());
+        [self.acceleration, self.jerk] = if FIRST_SIDE {
+            forcing::<L, false>(self.cosine, self.omega, sin, cos)
         } else {
-            forcing::<L, true>(self.cosine, self.omega, self.sin.value(), cos)
+            forcing::<L, true>(self.cosine, self.omega, sin, cos)
         };
-        (self.acceleration, self.jerk) = (acceleration, jerk);
-        let sure = *found & first & cos.all(NEARLY_OVER).below(cos) & speed.all(SLOWEST).below(speed);
-        if L::any(busy & self.complete.below(one)) {
-            self.complete = one.or(self.rests(speed) & sure, self.complete);
+        sure = sure & first;
+        if any_open {
+            sure = sure & (cos.all(NEARLY_OVER).below(cos) | !open);
+            self.complete = one.or(self.rests(departure) & sure, self.complete);
         }
-        Landed {
-            time,
-            interval: landing.interval,
-            velocity: if FIRST_SIDE { speed } else { -speed },
-            unsure: busy & !sure,
-            before,
+        let (mut time, mut speed) = (self.time.plus(interval), speed);
+        self.unsure = busy & !sure;
+        let any_unsure = L::any(self.unsure);
+        if any_unsure {
+            time = self.time.or(self.unsure, time);
+            speed = self.speed.or(self.unsure, speed);
         }
+        (self.time, self.speed) = (time, speed);
+        let velocity = if FIRST_SIDE { departure } else { -departure };
+        (Impact { time: time.value(), interval, velocity }, any_unsure)
     }
 
     /// The impact that the flight comes to, and where one is found.
     #[inline(always)]
-    pub fn land(&self, start: &Start<L>, s: L) -> (Step<L>, L::Mask) {
+    fn landing(&self) -> (Step<L>, L::Mask) {
         let nothing = self.omega.all(0.0);
-        let busy = nothing.below(self.busy);
+        let (busy, s) = (nothing.below(self.busy), self.guess);
         let x = self.rate * s;
-        let inside = nothing.below(s) & x.below(x.all(FEW.1));
+        let ahead = nothing.below(s);
         let short = x.below(x.all(SHORT.1));
-        let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, inside & !inside);
+        let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, ahead & !ahead);
         let mut open = busy;
         let mut steps = 0;
         // Most flights are short, and need one step.
-        if !L::any(busy & !(inside & short)) {
+        if !L::any(busy & !(ahead & short)) {
             steps = 1;
-            let (next, last) = step::<L, { SHORT.0 }>(self, start, s);
-            (here, found) = (next, last & inside);
+            (here, found) = step::<L, { SHORT.0 }>(self, s);
             open = busy & !found;
-        } else if !L::any(busy & !(inside & !short)) {
+        } else if !L::any(busy & !(ahead & x.below(x.all(FEW.1)) & !short)) {
             steps = 1;
-            let (next, last) = step::<L, { FEW.0 }>(self, start, s);
-            (here, found) = (next, last & inside);
+            (here, found) = step::<L, { FEW.0 }>(self, s);
             open = busy & !found;
         }
         while L::any(open) && steps < STEPS {
@@ -170,40 +181,40 @@ impl<L: Lanes> Blocks<L> {
             open = open & nothing.below(s) & x.below(x.all(REACH));
             // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
             let (short, few, some) = (x.below(x.all(SHORT.1)), x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
-            (here, found) = further::<L, { SHORT.0 }>(self, start, s, open & short, (here, found));
-            (here, found) = further::<L, { FEW.0 }>(self, start, s, open & few & !short, (here, found));
-            (here, found) = further::<L, { SOME.0 }>(self, start, s, open & some & !few, (here, found));
-            (here, found) = further::<L, TERMS>(self, start, s, open & !some, (here, found));
+            (here, found) = further::<L, { SHORT.0 }>(self, s, open & short, (here, found));
+            (here, found) = further::<L, { FEW.0 }>(self, s, open & few & !short, (here, found));
+            (here, found) = further::<L, { SOME.0 }>(self, s, open & some & !few, (here, found));
+            (here, found) = further::<L, TERMS>(self, s, open & !some, (here, found));
             open = open & !found;
         }
         (here, found)
     }
 
-    /// Where the flight may end; see `flight`.
+    /// Where the flight may end: the series of `flight` in `e = 2/3 E` and `d = -1/3 D`, with all that it is multiplied by in its coefficients, and with
+    /// one term more: `e` times that of `t⁴`, `(v + q j) parabola⁴/(120 v)`, nearly.
     #[inline(always)]
-    fn guess(&self, start: &Start<L>) -> L {
-        let Start { speed, acceleration, jerk, snap } = *start;
-        let busy = speed.all(0.0).below(self.busy);
-        let one = speed.all(1.0);
+    fn guess(&self) -> L {
+        let Self { departure: speed, acceleration, jerk, snap, .. } = *self;
+        let (one, zero) = (speed.all(1.0), speed.all(0.0));
         let inverse = one / acceleration;
-        let inverse_squared = inverse * inverse;
-        let parabola = (speed * inverse).by(-2.0);
-        let e = ((speed + jerk) * speed).by(2.0 / 3.0) * inverse_squared;
-        let d = ((acceleration + snap) * (speed * speed)).by(-1.0 / 3.0) * (inverse_squared * inverse);
+        // -1/2 of the parabola's length
+        let half = speed * inverse;
+        let lift = half * inverse;
+        let (e, d) = ((speed + jerk) * lift, ((acceleration + snap) * half) * lift);
         let e_squared = e * e;
-        // and one term more than there: that of t⁴, (v + q j) parabola⁴/(120 v), nearly
         let [_, q, ..] = self.series;
-        let fourth = (q * (parabola * parabola)).by(1.0 / 20.0);
-        let five = e.by(5.0);
-        let odd = e_squared.times_plus(e.by(42.0).plus(14.0), five.plus(2.0));
-        let mixed = e_squared.times_plus(e.all(21.0), five.plus(1.0)) + d.by(3.0);
-        let near = d.times_plus(mixed, e_squared.times_plus(odd, e.times_plus(fourth, e.plus(1.0))));
-        let falls = self.speed.high.all(0.0).below(parabola);
-        let small = e.abs().below(e.all(0.12));
-        let far = busy & falls & !small;
-        let mut stretch = near;
+        let first = (q * (half * half)).times_plus(e.all(-4.0 / 15.0), e.all(-4.0 / 3.0));
+        let second = e.times_plus(e.all(-80.0 / 27.0), e.all(-16.0 / 9.0));
+        let fourth = e.times_plus(e.all(-896.0 / 81.0), e.all(-448.0 / 81.0));
+        let mixed = e.times_plus(e.all(20.0 / 9.0), e.all(2.0 / 3.0));
+        let mixed = d.times_plus(e.all(-2.0 / 3.0), e_squared.times_plus(e.all(56.0 / 9.0), mixed));
+        let near = e_squared.times_plus(e_squared.times_plus(fourth, second), e.times_plus(first, e.all(-2.0)));
+        let mut stretch = d.times_plus(mixed, near);
+        let falls = half.below(zero);
+        let far = zero.below(self.busy) & falls & !e.abs().below(e.all(0.18));
         if L::any(far) {
             // 1 - t + e t² + d t³ = 0 by Newton's method
+            let (e, d) = (e.by(2.0 / 3.0), d.by(-1.0 / 3.0));
             let mut t = one.plus(0.4);
             let mut steps = 0;
             while steps < 4 {
@@ -212,18 +223,25 @@ impl<L: Lanes> Blocks<L> {
                 let slope = (t * (e + e + (d * t).by(3.0))).plus(-1.0);
                 t = t - value / slope;
             }
-            stretch = t.or(far, near);
+            stretch = t.by(-2.0).or(far, stretch);
         }
-        (parabola * stretch).or(falls, self.first)
+        (half * stretch).or(falls, self.first)
+    }
+
+    /// Where the flight is as short as the proof of rest has it. All the way up to there the block is pulled back, so that the impact found is the first.
+    #[inline(always)]
+    fn is_bounded(&self, s: L) -> L::Mask {
+        (self.acceleration * s).by(-0.5 * (1.0 - SHARE)).below(self.departure)
     }
 
     /// Where it is proven that no impact comes before the one found, in one of the two ways of `flight`.
     ///
     /// The forcing is `b(s) = b + j sin(ωs)/ω + k (1 - cos ωs)/ω²`, so `b + min(j, 0) s + min(k, 0) s²/2` is below it, and with `max` above.
     #[inline(always)]
-    fn is_first(&self, start: &Start<L>, s: L, busy: L::Mask) -> L::Mask {
-        let Start { speed, acceleration, jerk, snap } = *start;
+    fn is_first(&self, s: L) -> L::Mask {
+        let Self { departure: speed, acceleration, jerk, snap, .. } = *self;
         let zero = s.all(0.0);
+        let busy = zero.below(self.busy);
         let rise = jerk.max(zero) + s * snap.max(zero).by(0.5);
         let concave = (acceleration + s * (speed + rise)).below(zero);
         let mut proven = concave;
@@ -343,6 +361,12 @@ impl<L: Lanes> Blocks<L> {
             acceleration: zero,
             jerk: zero,
             complete: zero,
+            departure: zero,
+            snap: zero,
+            guess: zero,
+            landing: Step { interval: zero, gain: zero, turn: [zero; 2] },
+            found: zero.below(zero),
+            unsure: zero.below(zero),
         }
     }
 }

@@ -52,9 +52,6 @@ pub(super) trait Lanes:
     /// Puts a value into one lane, if there is such a lane.
     fn set_lane(&mut self, lane: usize, value: f64);
 
-    /// Copies the lanes, in order, to the start of a slice that has room for them.
-    fn copy_to(&self, slice: &mut [f64]);
-
     /// This times a number.
     #[inline(always)]
     fn by(self, factor: f64) -> Self {
@@ -135,13 +132,6 @@ impl Lanes for f64 {
             *self = value;
         }
     }
-
-    #[inline(always)]
-    fn copy_to(&self, slice: &mut [f64]) {
-        if let Some(first) = slice.first_mut() {
-            *first = *self;
-        }
-    }
 }
 
 /// A sum of two, as `twofold` has it.
@@ -157,6 +147,19 @@ impl<L: Lanes> Twofold<L> {
     pub fn plus(self, term: L) -> Self {
         let high = self.high + term;
         Self { high, low: self.low + (term - (high - self.high)) }
+    }
+
+    /// This less a term, in the same way.
+    #[inline(always)]
+    pub fn less(self, term: L) -> Self {
+        let high = self.high - term;
+        Self { high, low: self.low - (term + (high - self.high)) }
+    }
+
+    /// This where the mask holds, and the other elsewhere.
+    #[inline(always)]
+    pub fn or(self, mask: L::Mask, other: Self) -> Self {
+        Self { high: self.high.or(mask, other.high), low: self.low.or(mask, other.low) }
     }
 
     /// This times a factor.
@@ -302,13 +305,6 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     fn set_lane(&mut self, lane: usize, value: f64) {
         if let Some(lanes) = self.0.get_mut(lane / L::COUNT) {
             lanes.set_lane(lane % L::COUNT, value);
-        }
-    }
-
-    #[inline(always)]
-    fn copy_to(&self, slice: &mut [f64]) {
-        for (lanes, to) in self.0.iter().zip(slice.chunks_exact_mut(L::COUNT)) {
-            lanes.copy_to(to);
         }
     }
 }

@@ -51,15 +51,6 @@ const TURN: [[f64; 2]; TERMS] = {
     rows
 };
 
-/// What drives a flight: its speed at the start, and the acceleration, jerk and snap of the forcing there.
-#[derive(Clone, Copy)]
-pub(super) struct Start<L> {
-    pub speed: L,
-    pub acceleration: L,
-    pub jerk: L,
-    pub snap: L,
-}
-
 /// Where a flight stands after one step towards its impact.
 #[derive(Clone, Copy)]
 pub(super) struct Step<L> {
@@ -87,11 +78,11 @@ impl<L: Lanes> Step<L> {
 
 /// The coefficients of `z^m` of the odd and of the even series.
 #[inline(always)]
-fn coefficients<L: Lanes>(blocks: &Blocks<L>, start: &Start<L>, m: usize) -> [L; 2] {
+fn coefficients<L: Lanes>(blocks: &Blocks<L>, m: usize) -> [L; 2] {
+    let Blocks { departure: speed, acceleration, jerk, snap, .. } = *blocks;
     let (Some(q), Some([odd, even])) = (blocks.series.get(m), SERIES.get(m)) else {
-        return [start.speed; 2];
+        return [speed; 2];
     };
-    let Start { speed, acceleration, jerk, snap } = *start;
     // q = 1 for m = 0
     let [o, e] = if m == 0 {
         [speed + jerk, acceleration + snap]
@@ -104,17 +95,17 @@ fn coefficients<L: Lanes>(blocks: &Blocks<L>, start: &Start<L>, m: usize) -> [L;
 /// One step from `s` towards the impact, by `N` terms of each series; and where it is the last. Newton's step, with Halley's correction but for
 /// `N = SHORT.0`.
 #[inline(always)]
-pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L>, s: L) -> (Step<L>, L::Mask) {
+pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, s: L) -> (Step<L>, L::Mask) {
     let z = s * s;
     // O, E, their derivatives and half their second derivatives by z.
-    let [odd, even] = coefficients(blocks, start, N - 1);
-    let [odd_next, even_next] = coefficients(blocks, start, N - 2);
+    let [odd, even] = coefficients(blocks, N - 1);
+    let [odd_next, even_next] = coefficients(blocks, N - 2);
     let (mut o, mut o1, mut o2) = (odd.times_plus(z, odd_next), odd, odd);
     let (mut e, mut e1, mut e2) = (even.times_plus(z, even_next), even, even);
     let mut m = N - 2;
     while m > 0 {
         m -= 1;
-        let [odd, even] = coefficients(blocks, start, m);
+        let [odd, even] = coefficients(blocks, m);
         if m + 3 < N {
             (o2, e2) = (o2.times_plus(z, o1), e2.times_plus(z, e1));
         }
@@ -122,9 +113,9 @@ pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, start: &Start<L
         (o, e) = (o.times_plus(z, odd), e.times_plus(z, even));
     }
     // h = u/s, the gain, and how that grows along s: the formulas of `flow`.
-    let speed = start.speed;
+    let (speed, acceleration) = (blocks.departure, blocks.acceleration);
     let twice = s + s;
-    let deflated = z.times_plus(s.times_plus(e, o), (s * start.acceleration).by(0.5)) + speed;
+    let deflated = z.times_plus(s.times_plus(e, o), (s * acceleration).by(0.5)) + speed;
     let gain = z * twice.times_plus(z.times_plus(e1, e), (z + z).times_plus(o1, o));
     let slope = (deflated - speed) + gain;
     let inverse = s.all(-1.0) / slope;

@@ -2,22 +2,36 @@
 
 use super::{CHUNK, Work, motion::SHORT};
 
-/// How many bits tell the cases of a chunk apart.
-const BITS: u32 = CHUNK.ilog2();
+/// How many cases that become short at the same impact of the first side are put in the order of the other side.
+const STRIP: usize = 64;
 
-/// The cases in the order in which they are put into lanes: those of similar length side by side, because lanes whose flights ask for different
-/// numbers of terms wait for each other. Intervals fall from `4 sqrt(2ε + ε²)/ω` by about `η` an impact, so that the number of impacts until a flight
-/// is short goes as `log(32ε max(1, 1/ω²)/SHORT²)/log(1/η²)`.
+/// The cases in the order in which they are put into lanes: those whose flights become short at about the same impacts side by side, because lanes whose
+/// flights ask for different numbers of terms wait for each other.
+///
+/// Of the flights to the first side the first lasts `4c/ω` with `c = sqrt(2ε)` (Eq. 31), and they fall by about `η` an impact. It lands with the speed
+/// `8c³/(3ω)`, and the second flight, against twice the pull of gravity, lasts as long as that times `η`; those to its side fall by `η²` from one to the next.
 pub(super) fn alike(work: &Work) -> [u16; CHUNK] {
-    let mut keys = [u32::MAX; CHUNK];
-    let cases = work.epsilon.iter().zip(work.omega).zip(work.eta).zip(0u32..);
+    let mut keys = [u64::MAX; CHUNK];
+    let cases = work.epsilon.iter().zip(work.omega).zip(work.eta).zip(0u64..);
     for (key, (((epsilon, omega), eta), case)) in keys.iter_mut().zip(cases) {
-        let first = rough_log2(32.0 * epsilon / (SHORT.1 * SHORT.1)) - 2.0 * rough_log2(omega.min(1.0));
-        let length = first / -rough_log2(eta * eta);
-        *key = (((16.0 * length.clamp(0.0, 100_000.0)) as u32) << BITS) | case;
+        // max(1, ω) times an interval tells which is short.
+        let slow = omega.min(1.0);
+        let cosine_squared = 2.0 * epsilon;
+        let first = rough_log2(16.0 * cosine_squared / (SHORT.1 * slow * SHORT.1 * slow));
+        let second = rough_log2(8.0 / 3.0 * eta / (SHORT.1 * slow)) + 1.5 * rough_log2(cosine_squared);
+        let fall = -rough_log2(*eta);
+        *key = whole(first / fall) << 40 | whole(second / fall) << 16 | case;
     }
     keys.sort_unstable();
-    keys.map(|key| (key & ((1 << BITS) - 1)) as u16)
+    for strip in keys.chunks_mut(STRIP) {
+        strip.sort_unstable_by_key(|key| key & 0xff_ffff_ffff);
+    }
+    keys.map(|key| (key & 0xffff) as u16)
+}
+
+/// A number of impacts in sixteenths, and at the most 24 bits of it.
+fn whole(impacts: f64) -> u64 {
+    (16.0 * impacts.clamp(0.0, 1e6)) as u64
 }
 
 /// The logarithm of a positive number to within 0.09: the exponent, and the fraction for the rest.
@@ -28,14 +42,71 @@ fn rough_log2(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::batch::{Batch, Rows, Sequence};
+
+    const IMPACTS: usize = 60;
+
+    /// Cases all over the workload, without any order.
+    fn cases() -> [Vec<f64>; 3] {
+        let spread = |low: f64, high: f64, step: f64| -> Vec<f64> {
+            (0..CHUNK).map(|case| low + (high - low) * (case as f64 * step).fract()).collect()
+        };
+        [spread(0.005, 0.035, 0.754_877), spread(0.5, 8.0, 0.569_840), spread(0.8, 0.95, 0.618_034)]
+    }
+
+    /// At which impact of each side a case becomes short.
+    fn short_from([epsilon, omega, eta]: &[Vec<f64>; 3]) -> Vec<[usize; 2]> {
+        let mut interval = vec![0.0; CHUNK * IMPACTS];
+        let (mut time, mut velocity) = (interval.clone(), interval.clone());
+        let rows = Rows {
+            time: &mut time,
+            interval: &mut interval,
+            velocity: &mut velocity,
+            sequences: &mut [Sequence::default(); CHUNK],
+        };
+        Batch::new(epsilon, omega, eta, IMPACTS).unwrap().run(rows).unwrap();
+        let rows = interval.chunks(IMPACTS).zip(omega);
+        rows.map(|(row, omega)| {
+            [0, 1].map(|side| {
+                let mut flights = row.iter().skip(side).step_by(2);
+                flights.position(|interval| omega.max(1.0) * interval < SHORT.1).unwrap_or(IMPACTS / 2)
+            })
+        })
+        .collect()
+    }
+
+    /// How many impacts of a side lanes next to each other are apart, in the mean.
+    fn distance(order: &[u16], short_from: &[[usize; 2]], side: usize) -> f64 {
+        let lanes = order.chunks(4).map(|lanes| {
+            let impacts = lanes.iter().map(|case| short_from[usize::from(*case)][side]);
+            (impacts.clone().max().unwrap() - impacts.min().unwrap()) as f64
+        });
+        lanes.sum::<f64>() / (order.len() / 4) as f64
+    }
 
     #[test]
-    fn the_shorter_cases_are_taken_first() {
-        let (epsilon, omega, eta) =
-            ([0.03, 0.01, 0.02, -0.5, 0.02], [2.0, 2.0, 0.5, 2.0, 2.0], [0.9, 0.8, 0.95, 0.9, 0.6]);
-        let order = alike(&Work { epsilon: &epsilon, omega: &omega, eta: &eta, impacts: 60 });
-        // What never rocks is last.
-        assert_eq!(order[..5], [4, 1, 0, 2, 3]);
+    fn cases_side_by_side_become_short_at_about_the_same_impact() {
+        let cases = cases();
+        let short_from = short_from(&cases);
+        let [epsilon, omega, eta] = &cases;
+        let ordered = alike(&Work { epsilon, omega, eta, impacts: IMPACTS });
+        let unordered: Vec<u16> = (0..CHUNK as u16).collect();
+        for side in [0, 1] {
+            let [with, without] = [&ordered[..], &unordered].map(|order| distance(order, &short_from, side));
+            assert!(with < 0.3 * without, "side {side}: {with} instead of {without}");
+        }
+    }
+
+    #[test]
+    fn every_case_is_taken_once() {
+        let [epsilon, omega, mut eta] = cases();
+        let eta = &mut eta;
+        for (case, eta) in eta.iter_mut().enumerate() {
+            *eta = if case % 3 == 0 { 1e-300 } else { 1.0 - f64::EPSILON / 2.0 };
+        }
+        let mut order = alike(&Work { epsilon: &epsilon, omega: &omega, eta, impacts: 1 });
+        order.sort_unstable();
+        assert!(order.iter().copied().eq(0..CHUNK as u16));
     }
 
     #[test]

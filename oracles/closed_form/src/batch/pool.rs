@@ -4,17 +4,17 @@ use contract::{Ending, Limit};
 
 use super::{
     CHUNK, Rows, Sequence, Tally, Work,
-    blocks::{Blocks, Landed},
+    blocks::{Blocks, Impact},
     lanes::Lanes,
     order,
     single::{Finished, Single},
 };
 
 /// How many impacts are collected before they are written to their rows.
-const HELD: usize = 16;
+const HELD: usize = 32;
 
 /// The most lanes that there are.
-const MOST_LANES: usize = 16;
+const MOST_LANES: usize = 24;
 
 /// A case in its lane.
 #[derive(Clone, Copy)]
@@ -24,15 +24,20 @@ struct Place {
     written: usize,
 }
 
-/// One quantity of the impacts that are not written yet, in all lanes.
-type Held = [[f64; MOST_LANES]; HELD];
+/// The lanes of a register, and their impacts that are not written yet.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Group<L: Lanes> {
+    blocks: Blocks<L>,
+    held: [Impact<L>; HELD],
+}
 
 /// Lanes with the cases that are in them, in groups of a register each. A flight is a long chain of operations that wait for each other; the processor
 /// works on the next group meanwhile.
 struct Pool<'a, 'r, L: Lanes, const GROUPS: usize> {
     work: &'a Work<'a>,
     rows: &'a mut Rows<'r>,
-    blocks: [Blocks<L>; GROUPS],
+    groups: [Group<L>; GROUPS],
     /// What is in each lane, if anything.
     places: [Option<Place>; MOST_LANES],
     /// How many lanes are free.
@@ -40,7 +45,7 @@ struct Pool<'a, 'r, L: Lanes, const GROUPS: usize> {
     /// The cases in the order in which they are taken, and how many are.
     order: [u16; CHUNK],
     next: usize,
-    held: [Held; 3],
+    /// How many impacts are held in each lane.
     count: usize,
     /// How many impacts may be held until a lane is full.
     room: usize,
@@ -50,15 +55,15 @@ struct Pool<'a, 'r, L: Lanes, const GROUPS: usize> {
 /// Follows all cases of the work, `GROUPS` registers at a time.
 #[inline(always)]
 pub(super) fn run<L: Lanes, const GROUPS: usize>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
+    let none = Impact { time: zero, interval: zero, velocity: zero };
     let mut pool = Pool::<L, GROUPS> {
         work,
         rows,
-        blocks: [Blocks::idle(zero); GROUPS],
+        groups: [Group { blocks: Blocks::idle(zero), held: [none; HELD] }; GROUPS],
         places: [None; MOST_LANES],
         free: GROUPS * L::COUNT,
         order: order::alike(work),
         next: 0,
-        held: [[[0.0; MOST_LANES]; HELD]; 3],
         count: 0,
         room: 0,
         tally: Tally::default(),
@@ -83,8 +88,8 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
         if 2 * self.free >= Self::LANES && self.next < self.work.epsilon.len() {
             self.write();
             self.take_cases();
-            for blocks in &mut self.blocks {
-                blocks.prepare();
+            for group in &mut self.groups {
+                group.blocks.prepare();
             }
         }
         self.free < Self::LANES
@@ -107,8 +112,8 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
                     continue;
                 };
                 if *epsilon > 0.0 {
-                    if let Some(blocks) = self.blocks.get_mut(lane / L::COUNT) {
-                        blocks.start(lane % L::COUNT, *epsilon, *omega, *eta);
+                    if let Some(group) = self.groups.get_mut(lane / L::COUNT) {
+                        group.blocks.start(lane % L::COUNT, *epsilon, *omega, *eta);
                     }
                     *place = Some(Place { case, written: 0 });
                     self.free -= 1;
@@ -124,32 +129,22 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     #[inline(always)]
     fn fly<const FIRST_SIDE: bool>(&mut self) {
         // One stage for all groups before the next: each is short enough that the processor has the next group's in sight.
-        let mut starts = [None; GROUPS];
-        for (start, blocks) in starts.iter_mut().zip(&self.blocks) {
-            *start = Some(blocks.take_off());
+        for group in &mut self.groups {
+            group.blocks.take_off();
         }
-        let mut landings = [None; GROUPS];
-        for ((landing, blocks), start) in landings.iter_mut().zip(&self.blocks).zip(&starts) {
-            if let Some((start, guess)) = start {
-                *landing = Some(blocks.land(start, *guess));
+        for group in &mut self.groups {
+            group.blocks.land();
+        }
+        let mut any_unsure = false;
+        for group in &mut self.groups {
+            let (impact, unsure) = group.blocks.hit::<FIRST_SIDE>();
+            any_unsure |= unsure;
+            if let Some(place) = group.held.get_mut(self.count) {
+                *place = impact;
             }
         }
-        let mut unsure = false;
-        let mut landed = [None; GROUPS];
-        let all = self.blocks.iter_mut().zip(&starts).zip(&landings).zip(&mut landed);
-        for (group, (((blocks, start), landing), landed)) in all.enumerate() {
-            let (Some((start, _)), Some(landing)) = (start, landing) else { continue };
-            let flights = blocks.hit::<FIRST_SIDE>(start, landing);
-            unsure |= L::any(flights.unsure);
-            for (held, quantity) in self.held.iter_mut().zip([&flights.time, &flights.interval, &flights.velocity]) {
-                if let Some(place) = held.get_mut(self.count).and_then(|lanes| lanes.get_mut(group * L::COUNT..)) {
-                    quantity.copy_to(place);
-                }
-            }
-            *landed = Some(flights);
-        }
-        if unsure {
-            self.alone(&landed, if FIRST_SIDE { -1.0 } else { 1.0 });
+        if any_unsure {
+            self.alone(if FIRST_SIDE { -1.0 } else { 1.0 });
         } else {
             self.count += 1;
         }
@@ -165,16 +160,23 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     #[inline(never)]
     fn write(&mut self) {
         let count = self.count;
-        for (lane, place) in self.places.iter_mut().enumerate().take(Self::LANES) {
-            let Some(place) = place else { continue };
-            let start = place.case * self.work.impacts + place.written;
-            for (row, held) in self.rows.quantities().into_iter().zip(&self.held) {
-                let Some(row) = row.get_mut(start..start + count) else { continue };
-                for (slot, lanes) in row.iter_mut().zip(held) {
-                    *slot = lanes.get(lane).copied().unwrap_or(f64::NAN);
+        for (group, places) in self.groups.iter().zip(self.places.chunks_exact_mut(L::COUNT)) {
+            for (lane, place) in places.iter_mut().enumerate() {
+                let Some(place) = place else { continue };
+                let start = place.case * self.work.impacts + place.written;
+                let [Some(time), Some(interval), Some(velocity)] =
+                    self.rows.quantities().map(|row| row.get_mut(start..start + count))
+                else {
+                    continue;
+                };
+                let slots = time.iter_mut().zip(interval).zip(velocity);
+                for (((time, interval), velocity), impact) in slots.zip(&group.held) {
+                    *time = impact.time.lane(lane);
+                    *interval = impact.interval.lane(lane);
+                    *velocity = impact.velocity.lane(lane);
                 }
+                place.written += count;
             }
-            place.written += count;
         }
         self.room = self.room.saturating_sub(count);
         self.count = 0;
@@ -186,8 +188,8 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
         for lane in 0..Self::LANES {
             let Some(Some(place)) = self.places.get(lane) else { continue };
             if place.written == self.work.impacts {
-                let blocks = self.blocks.get(lane / L::COUNT);
-                let complete = blocks.is_some_and(|blocks| blocks.complete.lane(lane % L::COUNT) == 1.0);
+                let group = self.groups.get(lane / L::COUNT);
+                let complete = group.is_some_and(|group| group.blocks.complete.lane(lane % L::COUNT) == 1.0);
                 self.end(lane, if complete { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) });
             }
         }
@@ -201,8 +203,8 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     }
 
     fn end(&mut self, lane: usize, ending: Ending) {
-        if let Some(blocks) = self.blocks.get_mut(lane / L::COUNT) {
-            blocks.busy.set_lane(lane % L::COUNT, 0.0);
+        if let Some(group) = self.groups.get_mut(lane / L::COUNT) {
+            group.blocks.busy.set_lane(lane % L::COUNT, 0.0);
         }
         if let Some(Place { case, written }) = self.places.get_mut(lane).and_then(Option::take) {
             self.free += 1;
@@ -214,18 +216,18 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     /// The flights that the lanes are not sure of, by the scalar code; the others as they are. All are among the impacts that are held, but not counted yet.
     #[cold]
     #[inline(never)]
-    fn alone(&mut self, landed: &[Option<Landed<L>>; GROUPS], sign: f64) {
+    fn alone(&mut self, sign: f64) {
         let mut last = [None; MOST_LANES];
         let mut gone = [None; MOST_LANES];
         for (lane, (last, gone)) in last.iter_mut().zip(&mut gone).enumerate().take(Self::LANES) {
-            let (group, within) = (lane / L::COUNT, lane % L::COUNT);
-            let (Some(Some(landed)), Some(blocks)) = (landed.get(group), self.blocks.get_mut(group)) else { continue };
-            let zero = landed.time.all(0.0);
-            if zero.all(1.0).or(landed.unsure, zero).lane(within) != 1.0 {
+            let Some(Group { blocks, held }) = self.groups.get_mut(lane / L::COUNT) else { continue };
+            let lane = lane % L::COUNT;
+            let zero = blocks.omega.all(0.0);
+            if zero.all(1.0).or(blocks.unsure, zero).lane(lane) != 1.0 {
                 continue;
             }
             self.tally.alone += 1;
-            let mut single = Single::new(blocks, landed.before, sign, within);
+            let mut single = Single::new(blocks, sign, lane);
             match single.fly() {
                 Some(Finished { ending, listed: false }) => {
                     *gone = Some(ending);
@@ -234,20 +236,20 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
                 Some(Finished { ending, .. }) => *last = Some(ending),
                 None => {}
             }
-            single.put_into(blocks, within);
-            for (held, value) in self.held.iter_mut().zip(single.impact()) {
-                if let Some(place) = held.get_mut(self.count).and_then(|lanes| lanes.get_mut(lane)) {
-                    *place = value;
+            single.put_into(blocks, lane);
+            if let Some(Impact { time, interval, velocity }) = held.get_mut(self.count) {
+                for (place, value) in [time, interval, velocity].into_iter().zip(single.impact()) {
+                    place.set_lane(lane, value);
                 }
             }
         }
         // What has ended without this impact is gone before it is written.
         if gone.iter().any(Option::is_some) {
-            let held = self.held.map(|held| held.get(self.count).copied());
+            let now = self.count;
             self.write();
-            for (to, from) in self.held.iter_mut().zip(held) {
-                if let (Some(to), Some(from)) = (to.first_mut(), from) {
-                    *to = from;
+            for group in &mut self.groups {
+                if let Some(impact) = group.held.get(now).copied() {
+                    group.held.fill(impact);
                 }
             }
             self.end_all(gone);

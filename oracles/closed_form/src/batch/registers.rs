@@ -144,13 +144,6 @@ impl Lanes for Two {
             *place = value;
         }
     }
-
-    #[inline(always)]
-    fn copy_to(&self, slice: &mut [f64]) {
-        for (to, from) in slice.iter_mut().zip(self.0.as_array()) {
-            *to = *from;
-        }
-    }
 }
 
 impl<S: Simd> Lanes for Found<S> {
@@ -205,11 +198,7 @@ impl<S: Simd> Lanes for Found<S> {
 
     #[inline(always)]
     fn any(mask: FoundMask<S>) -> bool {
-        let mut any = 0;
-        for byte in bytemuck::bytes_of(&mask.of) {
-            any |= byte;
-        }
-        any != 0
+        mask.simd.first_true_m64s(mask.of) < Self::COUNT
     }
 
     #[inline(always)]
@@ -221,13 +210,6 @@ impl<S: Simd> Lanes for Found<S> {
     fn set_lane(&mut self, lane: usize, value: f64) {
         if let Some(place) = bytemuck::cast_slice_mut(core::slice::from_mut(&mut self.of)).get_mut(lane) {
             *place = value;
-        }
-    }
-
-    #[inline(always)]
-    fn copy_to(&self, slice: &mut [f64]) {
-        if let Some(to) = S::as_mut_simd_f64s(slice).0.first_mut() {
-            *to = self.of;
         }
     }
 }

@@ -10,7 +10,7 @@ use super::{
 /// An instruction set. Those without a fused multiply-add give the same bits, and so do those with it; the two differ by rounding errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InstructionSet {
-    /// No registers of several lanes; four cases at once all the same, because they do not wait for each other.
+    /// No registers of several lanes; some cases at once all the same, because they do not wait for each other.
     Scalar,
     /// What every machine of the target has: on x86-64, SSE2.
     Baseline,
@@ -47,11 +47,12 @@ impl InstructionSet {
 
     /// Does the work; with the next slower instruction set where the machine lacks this one.
     ///
-    /// Two registers are worked on at once. Where they are narrow they take turns with each operation (`Many`); two of AVX2 would be too much for the registers that
-    /// there are, so that they take turns with each stage of a flight (`GROUPS` of the pool). Which is faster was measured.
+    /// A flight is a chain of operations that wait for each other, so that several are worked on at once. Where registers are narrow two of them take turns with
+    /// each operation (`Many`), which would be too much for the number of wide ones that there is; and two or three of what is then a group take turns with
+    /// each stage of a flight (`GROUPS` of the pool). How many are fastest was measured.
     pub(super) fn run(self, work: &Work, rows: &mut Rows) -> Tally {
         match self {
-            Self::Scalar => pool::run::<_, 2>(Many([0.0; 2]), work, rows),
+            Self::Scalar => pool::run::<_, 3>(Many([0.0; 2]), work, rows),
             #[cfg(target_arch = "x86_64")]
             Self::Avx2 => match pulp::x86::V3::try_new() {
                 Some(simd) => pulp::Simd::vectorize(simd, OnLanes { work, rows }),
@@ -62,7 +63,7 @@ impl InstructionSet {
                 Some(simd) => pulp::Simd::vectorize(simd, OnLanes { work, rows }),
                 None => Self::Avx2.run(work, rows),
             },
-            _ => pool::run::<_, 1>(Many([Two::ZERO; 2]), work, rows),
+            _ => pool::run::<_, 2>(Many([Two::ZERO; 2]), work, rows),
         }
     }
 }
@@ -78,6 +79,6 @@ impl pulp::WithSimd for OnLanes<'_, '_, '_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, simd: S) -> Tally {
-        pool::run::<_, 2>(Found::zero(simd), self.work, self.rows)
+        pool::run::<_, 3>(Found::zero(simd), self.work, self.rows)
     }
 }

@@ -10,10 +10,7 @@ use crate::{
     twofold::{Split, Twofold},
 };
 
-use super::{
-    blocks::Blocks,
-    lanes::{self, Lanes},
-};
+use super::{blocks::Blocks, lanes::Lanes};
 
 /// A case after an impact, or at its start.
 pub(super) struct Single {
@@ -38,9 +35,10 @@ pub(super) struct Finished {
 
 impl Single {
     /// A case at the start of a flight.
-    pub fn new<L: Lanes>(blocks: &Blocks<L>, [time, speed]: [lanes::Twofold<L>; 2], sign: f64, lane: usize) -> Self {
+    pub fn new<L: Lanes>(blocks: &Blocks<L>, sign: f64, lane: usize) -> Self {
         let [epsilon, omega, eta] = [blocks.epsilon, blocks.omega, blocks.eta].map(|of| of.lane(lane));
-        let [time, speed] = [time, speed].map(|of| Twofold { high: of.high.lane(lane), low: of.low.lane(lane) });
+        let [time, speed] =
+            [blocks.time, blocks.speed].map(|of| Twofold { high: of.high.lane(lane), low: of.low.lane(lane) });
         let excitation = Excitation::new(epsilon, omega);
         let half = if time == Twofold::ZERO { HalfPhase { sin: 0.0, cos: 1.0 } } else { excitation.half_phase(time) };
         let forcing = excitation.forcing(sign, half);
