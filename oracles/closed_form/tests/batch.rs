@@ -217,6 +217,19 @@ fn most_numbers_are_within_four_units_of_the_last_place() {
     eprintln!("times {:.5}, velocities {:.5}, intervals {:.5}", shares[0], shares[1], shares[2]);
 }
 
+/// The lane that counts does what the others do, and a flight takes a guess and one step: two quotients, and a little more for the first and longest ones.
+#[test]
+fn the_operations_are_those_of_the_lanes() {
+    let cases: Vec<_> = many().into_iter().take(500).collect();
+    let column = |of: usize| cases.iter().map(|case| case[of]).collect::<Vec<_>>();
+    let (operations, tally) = Batch::new(&column(0), &column(1), &column(2), 60).unwrap().operations();
+    assert_eq!(tally, run(&cases, 60, InstructionSet::fastest()).tally);
+    let each = |count: u64| count as f64 / tally.impacts as f64;
+    let arithmetic = each(operations.sums + operations.products + operations.fused);
+    assert!((2.0..3.0).contains(&each(operations.quotients)), "{operations:?}");
+    assert!((80.0..200.0).contains(&arithmetic) && each(operations.choices) < 0.5 * arithmetic, "{operations:?}");
+}
+
 /// A fault of 1e-13 in one parameter is seen: what is compared is compared closely enough.
 #[test]
 fn a_small_fault_is_caught() {

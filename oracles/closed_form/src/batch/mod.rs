@@ -26,6 +26,7 @@
 //! ```
 
 mod blocks;
+mod counted;
 mod lanes;
 mod motion;
 mod order;
@@ -38,6 +39,7 @@ mod single;
 use contract::{Ending, Limit};
 use rayon::prelude::*;
 
+pub use counted::Operations;
 pub use refusal::Refusal;
 pub use set::InstructionSet;
 
@@ -134,6 +136,25 @@ impl<'a> Batch<'a> {
             set.run(&work, &mut Rows { time, interval, velocity, sequences })
         });
         Ok(tallies.reduce(Tally::default, Tally::plus))
+    }
+}
+
+impl Batch<'_> {
+    /// Follows the first cases (1,024 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the flights
+    /// that the lanes do themselves, and how many impacts these are for.
+    pub fn operations(&self) -> (Operations, Tally) {
+        let Work { epsilon, omega, eta, impacts } = self.work;
+        let first = |all: &'_ [f64]| -> Vec<f64> { all.iter().take(CHUNK).copied().collect() };
+        let (epsilon, omega, eta) = (first(epsilon), first(omega), first(eta));
+        let mut time = vec![0.0; epsilon.len() * impacts];
+        let (mut interval, mut velocity) = (time.clone(), time.clone());
+        let mut sequences = vec![Sequence::default(); epsilon.len()];
+        let rows =
+            Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
+        let work = Work { epsilon: &epsilon, omega: &omega, eta: &eta, impacts };
+        counted::take();
+        let tally = pool::run::<_, 1>(counted::Counted(0.0), &work, &mut { rows });
+        (counted::take(), tally)
     }
 }
 
