@@ -63,7 +63,6 @@ fn shorter(so_far: &mut Duration, mut run: impl FnMut()) {
 }
 
 fn main() {
-    let batches = CASES.map(|cases| Batched::new(&workload(cases), IMPACTS));
     let sets = InstructionSet::available();
     for set in &sets {
         Batched::verify(*set, 1e-12);
@@ -85,7 +84,7 @@ fn main() {
     );
 
     let thread = one_thread();
-    let mut batches = batches;
+    let mut batches = CASES.map(|cases| Batched::new(&workload(cases), IMPACTS));
     let mut times = vec![[Duration::MAX; 2]; sets.len()];
     let mut impacts = [0; 2];
     let (mut alone, mut lanes) = (Duration::MAX, 0);
@@ -105,7 +104,9 @@ fn main() {
     println!("time for an impact, in ns:");
     println!("{:>16}  {:>14}  {:>20}  {:>10}", "instruction set", "100,000 cases", "answer in the cache", "impacts/s");
     for (set, times) in sets.iter().zip(times) {
-        let [all, cached] = [0, 1].map(|place| times[place].as_secs_f64() * 1e9 / impacts[place] as f64);
+        let [whole, small] = times.map(|time| time.as_secs_f64() * 1e9);
+        let [of_whole, of_small] = impacts.map(|impacts| impacts as f64);
+        let (all, cached) = (whole / of_whole, small / of_small);
         println!("{:>16}  {all:>14.2}  {cached:>20.2}  {:>10.2e}", format!("{set:?}"), 1e9 / all);
     }
     let alone = alone.as_secs_f64() * 1e9 / (ROUNDS * TO_A_QUOTIENT * lanes) as f64 * arithmetic;
