@@ -333,3 +333,29 @@ impl<M: Copy + Not<Output = M>, const N: usize> Not for ManyMasks<M, N> {
         each!(self, index, !self.0[index])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::registers::Two;
+
+    /// Each lane of several registers is a lane of its own: it can be set, read and compared without the others.
+    #[test]
+    fn lanes_do_not_touch_each_other() {
+        let mut lanes = Many([Two::ZERO; 3]);
+        assert_eq!(Many::<Two, 3>::COUNT, 6);
+        for lane in 0..6 {
+            lanes.set_lane(lane, 1.0 + lane as f64);
+        }
+        for lane in 0..6 {
+            assert_eq!(lanes.lane(lane), 1.0 + lane as f64);
+            let this = lanes.below(lanes.all(1.5 + lane as f64)) & !lanes.below(lanes.all(0.5 + lane as f64));
+            assert!(Many::<Two, 3>::any(this));
+            let chosen = lanes.all(-1.0).or(this, lanes);
+            for other in 0..6 {
+                assert_eq!(chosen.lane(other), if other == lane { -1.0 } else { 1.0 + other as f64 });
+            }
+        }
+        assert!(lanes.lane(6).is_nan() && !Many::<Two, 3>::any(lanes.below(lanes.all(1.0))));
+    }
+}
