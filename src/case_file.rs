@@ -104,9 +104,21 @@ pub fn flags(case: &Case) -> String {
     flags
 }
 
-/// What is wrong with a TOML file, in one line and without the parser's picture of it.
+/// What is wrong with a TOML file, in one line and without the parser's picture of it, but with the line that it is in.
 pub fn one_line(error: &toml::de::Error, text: &str) -> String {
-    let line = error.span().and_then(|span| Some(text.get(..span.start)?.matches('\n').count() + 1));
-    let place = line.map_or(String::new(), |line| format!("line {line}: "));
-    format!("{place}{}", error.message().replace('\n', " "))
+    const LONGEST: usize = 100;
+    let message = error.message().replace('\n', " ");
+    let Some((before, after)) = error.span().and_then(|span| text.split_at_checked(span.start)) else {
+        return message;
+    };
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let number = before.matches('\n').count() + 1;
+    let length = before.len() - start + after.find('\n').unwrap_or(after.len());
+    let line = text.get(start..).unwrap_or_default().get(..length).unwrap_or_default().trim();
+    if line.is_empty() {
+        return format!("line {number}: {message}");
+    }
+    let (shown, dots) =
+        line.char_indices().nth(LONGEST).map_or((line, ""), |(end, _)| (line.get(..end).unwrap_or(line), "..."));
+    format!("line {number}: {message}, in `{shown}{dots}`")
 }

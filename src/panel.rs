@@ -251,7 +251,7 @@ pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Or
             return Err(Invalid::new(
                 "oracle",
                 name,
-                "closed-form, closed-form/corrected, ode, taylor, asymptotic, enclosure or printed",
+                "auto, closed-form, closed-form/corrected, ode, taylor, asymptotic, enclosure or printed",
             ));
         }
     };

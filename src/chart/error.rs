@@ -6,7 +6,7 @@ use thiserror::Error as ThisError;
 #[derive(Debug, ThisError)]
 pub enum Error {
     /// The file can't be opened or isn't CSV.
-    #[error("{file}: {source}")]
+    #[error("{file} cannot be read as a table")]
     Csv {
         /// The file.
         file: String,
@@ -14,7 +14,7 @@ pub enum Error {
         source: csv::Error,
     },
     /// The file can't be written.
-    #[error("cannot write {file}: {source}")]
+    #[error("out: cannot write {file}")]
     Write {
         /// The file.
         file: String,

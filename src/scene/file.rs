@@ -1,7 +1,10 @@
 //! How a scene is written in TOML. What the values mean and may be is for [`super`] to say.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{
+    Deserialize, Deserializer,
+    de::{DeserializeOwned, Error},
+};
 use toml::Spanned;
 
 /// A rigid block on shaking ground, in physical units, and what is asked of it.
@@ -69,15 +72,18 @@ pub enum RestitutionRule {
 pub struct GroundFields {
     /// The amplitude.
     #[schemars(with = "Amplitude")]
+    #[serde(deserialize_with = "amplitude")]
     pub amplitude: Spanned<Amplitude>,
     /// The frequency.
     #[schemars(with = "Frequency")]
+    #[serde(deserialize_with = "frequency")]
     pub frequency: Spanned<Frequency>,
     /// The phase at `t = 0` in radians. Unless given the motion starts at the threshold, so that the block begins to rock at once.
     #[schemars(with = "Option<f64>")]
     pub phase: Option<Spanned<f64>>,
     /// How long the ground moves; without end unless given.
     #[schemars(with = "Option<Duration>")]
+    #[serde(default, deserialize_with = "duration")]
     pub duration: Option<Spanned<Duration>>,
 }
 
@@ -113,6 +119,31 @@ pub enum Duration {
     Seconds(f64),
     /// In cycles of the ground motion.
     Cycles(f64),
+}
+
+/// A value in one of several ways; the error names all of them.
+fn in_one_way<'de, D: Deserializer<'de>, T: DeserializeOwned>(
+    deserializer: D,
+    allowed: &str,
+) -> Result<Spanned<T>, D::Error> {
+    let value = Spanned::<toml::Value>::deserialize(deserializer)?;
+    let way = value.get_ref().clone().try_into().map_err(|_| D::Error::custom(allowed))?;
+    Ok(Spanned::new(value.span(), way))
+}
+
+fn amplitude<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Amplitude>, D::Error> {
+    in_one_way(
+        deserializer,
+        "amplitude: allowed is one of { g = number }, { m-per-s2 = number }, { over-threshold = number } and { over-slender-threshold = number }",
+    )
+}
+
+fn frequency<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Frequency>, D::Error> {
+    in_one_way(deserializer, "frequency: allowed is one of { hz = number } and { omega = number }")
+}
+
+fn duration<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Duration>>, D::Error> {
+    in_one_way(deserializer, "duration: allowed is one of { seconds = number } and { cycles = number }").map(Some)
 }
 
 /// What is asked of the scene: `chattercheck scene` answers it. Other commands do as their flags say, but for the model and the number of impacts.
