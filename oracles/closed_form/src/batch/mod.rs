@@ -43,8 +43,8 @@ pub use counted::Operations;
 pub use refusal::Refusal;
 pub use set::InstructionSet;
 
-/// How many cases a thread takes at a time.
-const CHUNK: usize = 1024;
+/// How many cases a thread takes at a time: so many that some of them go well side by side, and so few that their rows fit into a cache.
+const CHUNK: usize = 512;
 
 /// How many impacts may be asked for, for each case.
 pub const MOST_IMPACTS: usize = 1_000_000;
@@ -140,7 +140,7 @@ impl<'a> Batch<'a> {
 }
 
 impl Batch<'_> {
-    /// Follows the first cases (1,024 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the flights
+    /// Follows the first cases (512 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the flights
     /// that the lanes do themselves, and how many impacts these are for.
     pub fn operations(&self) -> (Operations, Tally) {
         let Work { epsilon, omega, eta, impacts } = self.work;
@@ -176,16 +176,17 @@ impl Rows<'_> {
         [self.time, self.interval, self.velocity]
     }
 
+    /// No impacts yet. Written from start to end, the rows are in the cache when impacts are written to them in the order of the lanes.
+    fn clear(&mut self) {
+        for quantity in self.quantities() {
+            quantity.fill(f64::NAN);
+        }
+    }
+
     /// Ends a case whose impacts are written.
-    fn end(&mut self, case: usize, impacts: usize, sequence: Sequence) {
+    fn end(&mut self, case: usize, sequence: Sequence) {
         if let Some(place) = self.sequences.get_mut(case) {
             *place = sequence;
-        }
-        let row = case * impacts;
-        for quantity in self.quantities() {
-            if let Some(rest) = quantity.get_mut(row + sequence.impacts..row + impacts) {
-                rest.fill(f64::NAN);
-            }
         }
     }
 }

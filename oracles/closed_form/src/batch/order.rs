@@ -3,7 +3,7 @@
 use super::{CHUNK, Work, motion::SHORT};
 
 /// How many cases that become short at the same impact of the first side are put in the order of the other side.
-const STRIP: usize = 64;
+const STRIP: usize = 32;
 
 /// The cases in the order in which they are put into lanes: those whose flights become short at about the same impacts side by side, because lanes whose
 /// flights ask for different numbers of terms wait for each other.

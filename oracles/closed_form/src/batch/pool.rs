@@ -55,6 +55,7 @@ struct Pool<'a, 'r, L: Lanes, const GROUPS: usize> {
 /// Follows all cases of the work, `GROUPS` registers at a time.
 #[inline(always)]
 pub(super) fn run<L: Lanes, const GROUPS: usize>(zero: L, work: &Work, rows: &mut Rows) -> Tally {
+    rows.clear();
     let none = Impact { time: zero, interval: zero, velocity: zero };
     let mut pool = Pool::<L, GROUPS> {
         work,
@@ -98,7 +99,7 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     /// Puts cases into the free lanes.
     #[inline(never)]
     fn take_cases(&mut self) {
-        let Work { epsilon, omega, eta, impacts } = *self.work;
+        let Work { epsilon, omega, eta, .. } = *self.work;
         let mut cases = self.order.iter().take(epsilon.len()).skip(self.next);
         for (lane, place) in self.places.iter_mut().enumerate().take(Self::LANES) {
             if place.is_some() {
@@ -119,7 +120,7 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
                     self.free -= 1;
                     break;
                 }
-                self.rows.end(case, impacts, Sequence { impacts: 0, ending: Ending::NeverRocks });
+                self.rows.end(case, Sequence { impacts: 0, ending: Ending::NeverRocks });
             }
         }
         self.measure();
@@ -208,7 +209,7 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
         }
         if let Some(Place { case, written }) = self.places.get_mut(lane).and_then(Option::take) {
             self.free += 1;
-            self.rows.end(case, self.work.impacts, Sequence { impacts: written, ending });
+            self.rows.end(case, Sequence { impacts: written, ending });
             self.tally.impacts += written as u64;
         }
     }
