@@ -121,29 +121,33 @@ pub enum Duration {
     Cycles(f64),
 }
 
-/// A value in one of several ways; the error names all of them.
+/// The value of a field in one of several ways; the error names all of them.
 fn in_one_way<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     deserializer: D,
+    field: &str,
     allowed: &str,
 ) -> Result<Spanned<T>, D::Error> {
     let value = Spanned::<toml::Value>::deserialize(deserializer)?;
-    let way = value.get_ref().clone().try_into().map_err(|_| D::Error::custom(allowed))?;
+    let way = value.get_ref().clone().try_into().map_err(|error| {
+        // The first part says what is wrong; what would be right is said here.
+        let wrong = error.message().split(',').next().unwrap_or_default();
+        D::Error::custom(format!("{field}: {wrong}; allowed is one of {allowed}"))
+    })?;
     Ok(Spanned::new(value.span(), way))
 }
 
 fn amplitude<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Amplitude>, D::Error> {
-    in_one_way(
-        deserializer,
-        "amplitude: allowed is one of { g = number }, { m-per-s2 = number }, { over-threshold = number } and { over-slender-threshold = number }",
-    )
+    let allowed =
+        "{ g = number }, { m-per-s2 = number }, { over-threshold = number } or { over-slender-threshold = number }";
+    in_one_way(deserializer, "amplitude", allowed)
 }
 
 fn frequency<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Frequency>, D::Error> {
-    in_one_way(deserializer, "frequency: allowed is one of { hz = number } and { omega = number }")
+    in_one_way(deserializer, "frequency", "{ hz = number } or { omega = number }")
 }
 
 fn duration<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Duration>>, D::Error> {
-    in_one_way(deserializer, "duration: allowed is one of { seconds = number } and { cycles = number }").map(Some)
+    in_one_way(deserializer, "duration", "{ seconds = number } or { cycles = number }").map(Some)
 }
 
 /// What is asked of the scene: `chattercheck scene` answers it. Other commands do as their flags say, but for the model and the number of impacts.

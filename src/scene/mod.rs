@@ -17,7 +17,7 @@ pub use file::{
     RestitutionRule, SceneFile,
 };
 
-use crate::case_file::one_line;
+use crate::case_file::{is_control, one_line};
 
 /// The largest file that is read.
 pub const MOST_BYTES: usize = 1 << 20;
@@ -138,7 +138,7 @@ impl Scene {
         let block = Block::read(&file.block, &text)?;
         Ok(Self {
             // It is printed: no control characters.
-            title: file.title.unwrap_or_default().chars().filter(|c| !c.is_control()).take(200).collect(),
+            title: file.title.unwrap_or_default().chars().filter(|c| !is_control(*c)).take(200).collect(),
             ground: Ground::read(&file.ground, &block, &text)?,
             ask: Ask::read(&file.ask, &text)?,
             block,

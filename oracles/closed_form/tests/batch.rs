@@ -76,6 +76,10 @@ fn difference(answer: &Answer, cases: &[Parameters]) -> Result<f64, String> {
                 (answer.interval[at], impact.interval, claims.interval * impact.interval),
                 (answer.velocity[at], impact.velocity, claims.velocity * impact.velocity.abs()),
             ] {
+                // f64::max would pass over what is not a number.
+                if !found.is_finite() {
+                    return Err(format!("{case:?}: impact {} is not a number", n + 1));
+                }
                 worst = worst.max((found - expected).abs() / claim);
             }
         }
@@ -94,7 +98,7 @@ const ALLOWED: f64 = 2.0;
 /// Cases from far below the critical amplitude to far above it.
 fn parameters() -> impl Strategy<Value = Parameters> {
     let omega = (-2.0..2.0f64).prop_map(|power| 10f64.powf(power));
-    (-6.0..-0.5f64, omega, 0.5..0.98f64).prop_map(|(power, omega, eta)| [10f64.powf(power), omega, eta])
+    (-6.0..-0.5f64, omega, 0.02..0.98f64).prop_map(|(power, omega, eta)| [10f64.powf(power), omega, eta])
 }
 
 /// Cases of the paper's range.
@@ -268,13 +272,18 @@ fn the_critical_amplitude_is_where_the_oracle_has_it() {
     assert!(endings(Ending::AtRest) > 50 && endings(Ending::Incomplete) > 50 && answer.tally.alone > 50);
 }
 
-/// What the lanes make of a flight that they are not made for once made them call it complete: found at `a = 1.316`, `ω = 59.4`, `η = 0.5`.
+/// What the lanes make of a flight that they are not made for once made them call it complete: found at `a = 1.316`, `ω = 59.4`, `η = 0.5`. In the others rest is
+/// certain from such a flight on, which is also the last one that is asked for.
 #[test]
 fn what_is_left_to_the_scalar_code_is_complete_only_if_that_says_so() {
-    let case = [0.316_227_766_016_837_94, 59.412_071_460_029_92, 0.5];
+    let cases = [
+        [0.316_227_766_016_837_94, 59.412_071_460_029_92, 0.5],
+        [8.730_401_163_077_697e-2, 12.133_586_794_766_037, 0.077_123_460_056_306_64],
+        [9.621_024_946_620_836e-3, 0.247_543_759_867_618_26, 0.046_070_139_101_819_09],
+    ];
     for set in InstructionSet::available() {
         for impacts in 1..10 {
-            let worst = difference(&run(&[case], impacts, set), &[case]).unwrap();
+            let worst = difference(&run(&cases, impacts, set), &cases).unwrap();
             assert!(worst <= ALLOWED, "{set:?}, {impacts} impacts: {worst}");
         }
     }

@@ -55,7 +55,8 @@ pub(super) struct Blocks<L: Lanes> {
     landing: Step<L>,
     /// Where one is found.
     found: L::Mask,
-    /// Where it is not sure that it is the first one, and everywhere else that the lanes are not made for. These are left as they were before the flight.
+    /// Where it is not sure that it is the first one, and everywhere else that the lanes are not made for. Time, speed and `complete` are left there as they
+    /// were before the flight, and the rest is for the scalar code to write anew.
     pub unsure: L::Mask,
 }
 
@@ -228,9 +229,14 @@ impl<L: Lanes> Blocks<L> {
         (half * stretch).or(falls, self.first)
     }
 
-    /// Where the flight is as short as the proof of rest has it. All the way up to there the block is pulled back, so that the impact found is the first.
+    /// Where a flight after the proof of rest is no longer than `2v/((1 - x) g)`, with the pull `g` of now. No impact comes before the one found then.
+    ///
+    /// In the window of `rest`, into which the bounds `2v/((1 - x) g)` of all flights fit with the pull at its start, no pull falls below `1 - x` of that. So this
+    /// flight ends within `1/(1 - x)` of the window; and it takes `1/x` of it until the forcing can push the block off the base. Before, a motion that has come
+    /// down through zero does not come back. That `1/(1 - x)` is the smaller of the two needs an `x` of 1/2 at the most.
     #[inline(always)]
     fn is_bounded(&self, s: L) -> L::Mask {
+        const { assert!(SHARE <= 0.5) }
         (self.acceleration * s).by(-0.5 * (1.0 - SHARE)).below(self.departure)
     }
 

@@ -30,7 +30,7 @@ thread_local! {
     static DONE: Cell<Operations> = const { Cell::new(Operations::NONE) };
 }
 
-/// The operations that this thread has counted since it was asked last.
+/// The operations that this thread has counted; from none again.
 pub(super) fn take() -> Operations {
     DONE.replace(Operations::NONE)
 }

@@ -3,7 +3,7 @@
 //! Each case is in a lane of its own, and goes through the same formulas as in `sequence`, in the same order of operations on every instruction set. The
 //! bits of a case depend neither on the number of threads, nor on the other cases, nor on how many lanes there are: only on whether the instruction set has a
 //! fused multiply-add ([`InstructionSet`]). What the lanes are not made
-//! for (a flight that grazes, that ends at `T/2`, whose impact is not proven to be the first in one of the two quick ways) is done by the
+//! for (a flight that grazes, that ends at `T/2`, whose impact is not quickly proven to be the first) is done by the
 //! scalar code, and the case goes on in its lane. There are no claims: they are what [`ClosedForm`](crate::ClosedForm) takes its time for.
 //!
 //! ```
@@ -43,7 +43,7 @@ pub use counted::Operations;
 pub use refusal::Refusal;
 pub use set::InstructionSet;
 
-/// How many cases a thread takes at a time: so many that some of them go well side by side, and so few that their rows fit into a cache.
+/// How many cases a thread takes at a time: so many that some of them go well side by side, and so few that the rows of some dozens of impacts fit into a cache.
 const CHUNK: usize = 512;
 
 /// How many impacts may be asked for, for each case.
@@ -140,8 +140,8 @@ impl<'a> Batch<'a> {
 }
 
 impl Batch<'_> {
-    /// Follows the first cases (512 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the flights
-    /// that the lanes do themselves, and how many impacts these are for.
+    /// Follows the first cases (512 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the lane, those
+    /// for flights that it leaves to the scalar code included, and how many impacts these are for.
     pub fn operations(&self) -> (Operations, Tally) {
         let Work { epsilon, omega, eta, impacts } = self.work;
         let first = |all: &'_ [f64]| -> Vec<f64> { all.iter().take(CHUNK).copied().collect() };
@@ -152,7 +152,6 @@ impl Batch<'_> {
         let rows =
             Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
         let work = Work { epsilon: &epsilon, omega: &omega, eta: &eta, impacts };
-        counted::take();
         let tally = pool::run::<_, 1>(counted::Counted(0.0), &work, &mut { rows });
         (counted::take(), tally)
     }

@@ -157,7 +157,7 @@ fn turn<L: Lanes, const N: usize>(blocks: &Blocks<L>, interval: L) -> [L; 2] {
     while m > 0 {
         m -= 1;
         #[allow(clippy::indexing_slicing)] // m < turns <= TERMS; `get` costs the scalar path a third
-        let [odd, even] = TURN[m].map(|coefficient| half.all(coefficient));
+        let [odd, even] = [half.all(TURN[m][0]), half.all(TURN[m][1])];
         (sine, versine) =
             if m + 1 == turns { (odd, even) } else { (sine.times_plus(square, odd), versine.times_plus(square, even)) };
     }

@@ -8,8 +8,9 @@ const STRIP: usize = 32;
 /// The cases in the order in which they are put into lanes: those whose flights become short at about the same impacts side by side, because lanes whose
 /// flights ask for different numbers of terms wait for each other.
 ///
-/// Of the flights to the first side the first lasts `4c/ω` with `c = sqrt(2ε)` (Eq. 31), and they fall by about `η` an impact. It lands with the speed
-/// `8c³/(3ω)`, and the second flight, against twice the pull of gravity, lasts as long as that times `η`; those to its side fall by `η²` from one to the next.
+/// Of the flights to the first side the first lasts `4c/ω` with `c = sqrt(2ε)` (Eq. 31). It lands with the speed `8c³/(3ω)`, and the second flight, against twice the
+/// pull of gravity, lasts as long as that times `η`. In the end those to a side fall by `η²` from one to the next. That this is not so at first
+/// changes little in their order.
 pub(super) fn alike(work: &Work) -> [u16; CHUNK] {
     let mut keys = [u64::MAX; CHUNK];
     let cases = work.epsilon.iter().zip(work.omega).zip(work.eta).zip(0u64..);
@@ -29,7 +30,7 @@ pub(super) fn alike(work: &Work) -> [u16; CHUNK] {
     keys.map(|key| (key & 0xffff) as u16)
 }
 
-/// A number of impacts in sixteenths, and at the most 24 bits of it.
+/// A measure of a number of impacts, of 24 bits at the most.
 fn whole(impacts: f64) -> u64 {
     (16.0 * impacts.clamp(0.0, 1e6)) as u64
 }

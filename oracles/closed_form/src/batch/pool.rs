@@ -79,7 +79,10 @@ pub(super) fn run<L: Lanes, const GROUPS: usize>(zero: L, work: &Work, rows: &mu
 
 impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
     /// How many lanes there are.
-    const LANES: usize = GROUPS * L::COUNT;
+    const LANES: usize = {
+        assert!(GROUPS * L::COUNT <= MOST_LANES);
+        GROUPS * L::COUNT
+    };
 
     /// Puts cases into the lanes that are free, if half of them are; whether any lane is busy then.
     ///
