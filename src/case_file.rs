@@ -115,6 +115,7 @@ pub fn one_line(error: &toml::de::Error, text: &str) -> String {
     let line = text.lines().nth(number).unwrap_or_default();
     let start = before.rfind('\n').map_or(0, |end| end + 1);
     let place = format!("line {}: {message}", number + 1);
+    // What is missing is in no line, whatever the parser points at.
     let is_absent = message.starts_with("missing field");
     if is_absent || line.trim().is_empty() || span.end > start + line.len() {
         return place;

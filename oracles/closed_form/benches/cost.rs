@@ -1,7 +1,7 @@
 //! Where the time of an impact goes, in batches on one thread, and how far that is from what its arithmetic alone would take.
 //!
 //! The operations are counted in a lane that does nothing else. What they would take alone is measured, not derived: as many multiply-adds as there are
-//! sums, products and multiply-adds, in the widest registers of the machine, none waiting for another, with a quotient among every sixty.
+//! sums, products and multiply-adds, in the widest registers of the machine, twelve chains of them so that none has to wait, with a quotient to every sixty.
 //! All is measured in turns, and each time is the shortest of many.
 //!
 //! ```text
@@ -27,7 +27,7 @@ const CASES: [usize; 2] = [100_000, 600];
 /// How many multiply-adds there are for each quotient of the arithmetic alone.
 const TO_A_QUOTIENT: usize = 60;
 
-/// Multiply-adds and quotients that do not wait for each other.
+/// Multiply-adds in twelve chains, and a quotient that is ready long before the next one needs it.
 struct Arithmetic {
     rounds: usize,
 }
@@ -68,7 +68,7 @@ fn main() {
         Batched::verify(*set, 1e-12);
     }
 
-    let cases = workload(1024);
+    let cases = workload(512);
     let [epsilon, omega, eta] =
         [Case::epsilon, Case::omega, Case::eta].map(|of| cases.iter().map(of).collect::<Vec<_>>());
     let (operations, tally) = Batch::new(&epsilon, &omega, &eta, IMPACTS).expect("cases").operations();

@@ -137,21 +137,18 @@ impl<'a> Batch<'a> {
         });
         Ok(tallies.reduce(Tally::default, Tally::plus))
     }
-}
 
-impl Batch<'_> {
     /// Follows the first cases (512 at the most), one at a time in a lane with a fused multiply-add that counts: the operations of the lane, those
     /// for flights that it leaves to the scalar code included, and how many impacts these are for.
     pub fn operations(&self) -> (Operations, Tally) {
+        let first = |all: &'a [f64]| all.get(..CHUNK).unwrap_or(all);
         let Work { epsilon, omega, eta, impacts } = self.work;
-        let first = |all: &'_ [f64]| -> Vec<f64> { all.iter().take(CHUNK).copied().collect() };
-        let (epsilon, omega, eta) = (first(epsilon), first(omega), first(eta));
-        let mut time = vec![0.0; epsilon.len() * impacts];
+        let work = Work { epsilon: first(epsilon), omega: first(omega), eta: first(eta), impacts };
+        let mut time = vec![0.0; work.epsilon.len() * impacts];
         let (mut interval, mut velocity) = (time.clone(), time.clone());
-        let mut sequences = vec![Sequence::default(); epsilon.len()];
+        let mut sequences = vec![Sequence::default(); work.epsilon.len()];
         let rows =
             Rows { time: &mut time, interval: &mut interval, velocity: &mut velocity, sequences: &mut sequences };
-        let work = Work { epsilon: &epsilon, omega: &omega, eta: &eta, impacts };
         let tally = pool::run::<_, 1>(counted::Counted(0.0), &work, &mut { rows });
         (counted::take(), tally)
     }
