@@ -11,9 +11,9 @@
 use std::{hint::black_box, time::Instant};
 
 use chattercheck::{
-    answer::ask,
+    measure::asking::ask,
+    motion::plan::{Method, Outcome, Plan, Question, evidence},
     panel::{self, Settings},
-    plan::{Method, Outcome, Plan, Question, evidence},
 };
 use contract::{Case, Ending, Model};
 

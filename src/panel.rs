@@ -13,7 +13,7 @@ pub use ode::{Method, Ode, Restart};
 use printed::Printed;
 use taylor::Taylor;
 
-use crate::linearisation::Corrected;
+use crate::motion::linearisation::Corrected;
 
 /// Oracles that are asked the same cases.
 pub type Panel = Vec<Box<dyn Oracle>>;

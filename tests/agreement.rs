@@ -3,11 +3,13 @@
 
 use approx::assert_relative_eq;
 use chattercheck::{
-    generate::Generator,
-    judge::Judges,
-    observables::{Observable, Observed},
+    cases::generate::Generator,
+    gate::{judge::Judges, run},
+    measure::{
+        observables::{Observable, Observed},
+        zeno,
+    },
     panel::{self, Settings},
-    verify, zeno,
 };
 use contract::{Case, Ending, Normalisation, Oracle, Slenderness};
 
@@ -134,8 +136,8 @@ fn the_printed_equations_with_many_digits_agree_with_every_method() {
             named
         })
         .collect();
-    let (report, _) = verify::run(&panel, &Judges::default(), &cases, 0, None, || ());
-    assert!(report.passes(), "{}", chattercheck::report::text(&report));
+    let (report, _) = run::run(&panel, &Judges::default(), &cases, 0, None, || ());
+    assert!(report.passes(), "{}", chattercheck::gate::report::text(&report));
     assert!(report.pairs.iter().all(|pair| pair.compared == cases.len() || pair.absent > 0));
 }
 
@@ -145,7 +147,7 @@ fn the_critical_amplitude_is_where_direct_stepping_finds_it() {
     for (omega, eta, critical, digits) in
         [(2.0, 0.92, 1.038_015_538_7, 2e-10), (0.5, 0.92, 1.033_02, 1e-5), (8.0, 0.92, 1.038_36, 1e-5)]
     {
-        let (below, above) = chattercheck::critical::bracket(closed.as_ref(), omega, eta).unwrap().unwrap();
+        let (below, above) = chattercheck::measure::critical::bracket(closed.as_ref(), omega, eta).unwrap().unwrap();
         assert!(below < above && (1.0 + below - critical).abs() < digits, "omega = {omega}: {}", 1.0 + below);
     }
 }

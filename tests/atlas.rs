@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use chattercheck::{
+use chattercheck::studies::{
     atlas::{AtlasRow, CHARTS, Request, Tables, methods},
     chart::Table,
 };

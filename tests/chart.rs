@@ -4,7 +4,7 @@
 use std::{collections::BTreeSet, sync::OnceLock};
 
 use assert_cmd::Command;
-use chattercheck::{
+use chattercheck::studies::{
     chart::Table,
     work_precision::{CHARTS, Request, WorkRow, files, measure, read},
 };

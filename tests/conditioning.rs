@@ -2,14 +2,20 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
-    answer::ask,
-    compare::{Slack, Verdict, compare},
-    conditioning::Conditioning,
-    critical,
-    generate::{Generator, Named},
-    judge::Judges,
-    observables::{Observable, Observed},
-    panel, verify, zeno,
+    cases::generate::{Generator, Named},
+    gate::{
+        compare::{Slack, Verdict, compare},
+        judge::Judges,
+        run,
+    },
+    measure::{
+        asking::ask,
+        conditioning::Conditioning,
+        critical,
+        observables::{Observable, Observed},
+        zeno,
+    },
+    panel,
 };
 use contract::{Case, Ending, History, Oracle, Sensitivity};
 use proptest::prelude::*;
@@ -153,8 +159,8 @@ fn the_ladder_towards_the_critical_amplitude_passes() {
     assert_eq!(rungs.len(), 40);
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
-    let (report, failures) = verify::run(&panel, &judges, &rungs, 1, None, || ());
-    assert!(report.passes() && failures.is_empty(), "{}", chattercheck::report::text(&report));
+    let (report, failures) = run::run(&panel, &judges, &rungs, 1, None, || ());
+    assert!(report.passes() && failures.is_empty(), "{}", chattercheck::gate::report::text(&report));
 }
 
 /// Towards `a_cr` the allowance for the rounding of the parameters grows, and stays below the distance that is left.

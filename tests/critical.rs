@@ -4,9 +4,9 @@
 use std::path::Path;
 
 use chattercheck::{
-    critical::{self, INTERPOLATION_ERROR, Term},
+    measure::critical::{self, INTERPOLATION_ERROR, Term},
     panel,
-    reference::{self, CriticalRow},
+    studies::reference::{self, CriticalRow},
 };
 use contract::Oracle;
 use proptest::{

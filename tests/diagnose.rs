@@ -4,8 +4,8 @@
 use std::sync::OnceLock;
 
 use assert_cmd::Command;
-use chattercheck::chart::Table;
-use chattercheck::diagnose::{CHARTS, Request, Tables};
+use chattercheck::studies::chart::Table;
+use chattercheck::studies::diagnose::{CHARTS, Request, Tables};
 
 fn small() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();

@@ -3,15 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
-    examine::Fault,
-    generate::{Generator, Named},
-    judge::Judges,
-    ladder,
-    laws::Law,
-    observables::Observable,
+    cases::generate::{Generator, Named},
+    gate::{examine::Fault, judge::Judges, ladder, laws::Law, report::Report, run},
+    measure::observables::Observable,
     panel,
-    report::Report,
-    verify,
 };
 use contract::{Case, Decline, Ending, Estimate, History, Loss, Model, Normalisation, Oracle, Slenderness};
 
@@ -68,7 +63,7 @@ fn cases() -> Vec<Named> {
 fn run(panel: &[Box<dyn Oracle>]) -> Report {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let ladders = ladder::descend(&panel).unwrap();
-    verify::run(&panel, &Judges::default(), &cases(), 11, Some(ladders), || ()).0
+    run::run(&panel, &Judges::default(), &cases(), 11, Some(ladders), || ()).0
 }
 
 /// The panel that faults are planted in: one oracle of each kind.
@@ -118,7 +113,7 @@ fn breaks(report: &Report, name: &str, law: Law, impact: usize) {
 #[test]
 fn without_a_fault_the_gate_is_green() {
     let report = run(&small_panel());
-    assert!(report.passes(), "{}", chattercheck::report::text(&report));
+    assert!(report.passes(), "{}", chattercheck::gate::report::text(&report));
 }
 
 #[test]
@@ -397,7 +392,7 @@ fn rest_declared_wherever_the_list_ends() {
     let case = Case::from_amplitude(1.05, 2.0, 0.92).unwrap().with_max_impacts(8).unwrap();
     let ode = panel::select(ODE).unwrap().swap_remove(0);
     let cases = [Named { generator: Generator::List, name: "short".to_owned(), case }];
-    let (report, _) = verify::run(&[faulty.as_ref(), ode.as_ref()], &Judges::default(), &cases, 0, None, || ());
+    let (report, _) = run::run(&[faulty.as_ref(), ode.as_ref()], &Judges::default(), &cases, 0, None, || ());
     let fault = &report.failures[0].faults[0];
     assert!(
         matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::RestStays),

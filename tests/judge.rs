@@ -2,14 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
-    answer::ask,
-    examine::Fault,
+    cases::generate::{Generator, Named},
     faults::plant::{Plant, Planted},
-    generate::{Generator, Named},
-    judge::Judges,
-    ladder, panel,
-    report::{self, Report},
-    tolerance, verify,
+    gate::{
+        examine::Fault,
+        judge::Judges,
+        ladder,
+        report::{self, Report},
+        run, tolerance,
+    },
+    measure::asking::ask,
+    panel,
 };
 use contract::{Case, Decline, Ending, History, Model, Oracle, Uncertainty};
 
@@ -22,7 +25,7 @@ fn judged(panel: &[&dyn Oracle], cases: &[Named], whole: bool) -> Report {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let ladders = whole.then(|| ladder::descend(panel).unwrap());
-    verify::run(panel, &judges, cases, 0, ladders, || ()).0
+    run::run(panel, &judges, cases, 0, ladders, || ()).0
 }
 
 /// The closed form, tampered with, beside an honest solver.
@@ -42,7 +45,7 @@ fn refuted(report: &Report) -> Vec<&str> {
 
 #[test]
 fn claims_are_calibrated() {
-    let cases = verify::cases(&verify::Request { cases: 60, seed: 5, partition: (1, 1) });
+    let cases = run::cases(&run::Request { cases: 60, seed: 5, partition: (1, 1) });
     let cases: Vec<Named> = cases.into_iter().step_by(4).collect();
     let panel = panel::default();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
@@ -90,7 +93,7 @@ fn a_wrong_ending_is_refuted() {
 
 #[test]
 fn claims_that_are_far_too_wide_fall_short() {
-    let cases = verify::cases(&verify::Request { cases: 40, seed: 5, partition: (1, 4) });
+    let cases = run::cases(&run::Request { cases: 40, seed: 5, partition: (1, 4) });
     let closed_form = panel::default().swap_remove(0);
     let wider = Plant::Answer(|_, factor, history| {
         for impact in &mut history.impacts {
@@ -109,7 +112,7 @@ fn claims_that_are_far_too_wide_fall_short() {
 
 #[test]
 fn only_a_sample_is_judged_unless_something_is_wrong() {
-    let cases = verify::cases(&verify::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let cases = run::cases(&run::Request { cases: 4, seed: 5, partition: (1, 8) });
     let judges = panel::judges();
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
@@ -118,7 +121,7 @@ fn only_a_sample_is_judged_unless_something_is_wrong() {
     assert!(sample > cases.len().div_ceil(7) && sample < cases.len());
     for (every, expected) in [(1, cases.len()), (7, sample)] {
         let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
-        assert_eq!(verify::run(&panel, &judges, &cases, 0, None, || ()).0.judged.cases, expected);
+        assert_eq!(run::run(&panel, &judges, &cases, 0, None, || ()).0.judged.cases, expected);
     }
 }
 
@@ -158,9 +161,9 @@ impl Oracle for Silent {
 fn a_judge_that_says_nothing_falls_short() {
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let cases = verify::cases(&verify::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let cases = run::cases(&run::Request { cases: 4, seed: 5, partition: (1, 8) });
     let judges = Judges { oracles: vec![&Silent], every: 2 };
-    let report = verify::run(&panel, &judges, &cases, 0, Some(Vec::new()), || ()).0;
+    let report = run::run(&panel, &judges, &cases, 0, Some(Vec::new()), || ()).0;
     assert!(report.judged.asked >= cases.len() / 2 && report.judged.cases == 0);
     let silent = |shortfall: &String| shortfall.starts_with("the judge was asked");
     assert!(report.shortfalls.iter().any(silent), "{:?}", report.shortfalls);

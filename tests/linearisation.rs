@@ -2,14 +2,19 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
-    answer::ask,
-    compare::{Slack, Verdict, compare},
-    conditioning::Conditioning,
-    critical,
-    judge::{Calibration, Judges},
-    linearisation::{Corrected, Linearisation, Shift},
-    observables::{Observable, Observed},
-    panel, tolerance,
+    gate::{
+        compare::{Slack, Verdict, compare},
+        judge::{Calibration, Judges},
+        tolerance,
+    },
+    measure::{
+        asking::ask,
+        conditioning::Conditioning,
+        critical,
+        observables::{Observable, Observed},
+    },
+    motion::linearisation::{Corrected, Linearisation, Shift},
+    panel,
 };
 use contract::{Case, Decline, Ending, History, Horizon, Model, Normalisation, Oracle, Slenderness, SlendernessShift};
 use proptest::{

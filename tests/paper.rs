@@ -8,7 +8,7 @@ use std::{
 };
 
 use assert_cmd::Command;
-use chattercheck::{
+use chattercheck::studies::{
     chart::Table,
     paper::{self, FIGURES},
 };

@@ -3,8 +3,10 @@
 
 use approx::assert_relative_eq;
 use chattercheck::{
-    critical,
-    observables::{Observable, Observed},
+    measure::{
+        critical,
+        observables::{Observable, Observed},
+    },
     panel::{self, Settings},
 };
 use contract::{Case, Ending, Oracle};

@@ -2,12 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use chattercheck::{
-    answer::ask,
-    chart::Table,
-    critical,
-    linearisation::{Flights, Linearisation},
+    measure::{asking::ask, critical},
+    motion::{
+        linearisation::{Flights, Linearisation},
+        plan::{Found, Method, Outcome, Place, Plan, evidence, map, step},
+    },
     panel,
-    plan::{Found, Method, Outcome, Place, Plan, evidence, map, step},
+    studies::chart::Table,
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{

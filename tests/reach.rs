@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
-    critical,
-    generate::{Generator, Named},
-    panel, verify,
+    cases::generate::{Generator, Named},
+    gate::run,
+    measure::critical,
+    panel,
 };
 use contract::{Case, Ending, Horizon, Normalisation, Oracle};
 
@@ -179,7 +180,7 @@ fn the_same_seed_gives_the_same_cases_and_another_seed_others() {
 
 #[test]
 fn partitions_are_disjoint_and_complete() {
-    let part = |k, n| verify::cases(&verify::Request { cases: 30, seed: 3, partition: (k, n) });
+    let part = |k, n| run::cases(&run::Request { cases: 30, seed: 3, partition: (k, n) });
     let whole = part(1, 1);
     let mut parts: Vec<Named> = (1..=3).flat_map(|k| part(k, 3)).collect();
     assert_eq!(parts.len(), whole.len());

@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 
 use chattercheck::{
-    observables::Observed,
+    measure::observables::Observed,
     panel::{self, Settings},
-    reference::{CriticalRow, ImpactRow, ProvenImpactRow, ProvenTimeRow, TimeRow},
+    studies::reference::{CriticalRow, ImpactRow, ProvenImpactRow, ProvenTimeRow, TimeRow},
 };
 use contract::{Case, Ending, Model, Normalisation, Oracle, Slenderness};
 use serde::de::DeserializeOwned;

@@ -6,9 +6,11 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use assert_cmd::Command;
 use chattercheck::{
+    motion::{
+        response::{BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
+        scene::Scene,
+    },
     panel::{self, Settings},
-    response::{BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
-    scene::Scene,
 };
 use contract::{Arrival, Case, Ground, Horizon, Normalisation, Oracle, Slenderness};
 use proptest::{prelude::*, test_runner::RngSeed};

@@ -3,7 +3,7 @@
 
 use approx::assert_relative_eq;
 use assert_cmd::Command;
-use chattercheck::scene::{Scene, schema};
+use chattercheck::motion::scene::{Scene, schema};
 use contract::Normalisation;
 use serde_json::Value;
 

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use chattercheck::{
-    plan::{Method, Plan, Question, evidence},
-    zeno,
+    measure::zeno,
+    motion::plan::{Method, Plan, Question, evidence},
 };
 use closed_form::ClosedForm;
 use contract::{Case, Ending, History, Model, Oracle};

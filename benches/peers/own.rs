@@ -45,7 +45,7 @@ fn cases() -> Vec<(String, Case)> {
         })
         .collect();
     cases.push(("deep".into(), case(1.03 - 1.0, 2.0, 0.92, DEEP)));
-    let critical = chattercheck::critical::interpolated(2.0, 0.92).unwrap();
+    let critical = chattercheck::measure::critical::interpolated(2.0, 0.92).unwrap();
     cases.extend(
         SHARES.map(|(name, share, impacts)| (format!("share {name}"), case(share * critical, 2.0, 0.92, impacts))),
     );

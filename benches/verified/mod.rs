@@ -7,7 +7,7 @@ mod workload;
 
 use std::path::Path;
 
-use chattercheck::{reference::ProvenTimeRow, zeno};
+use chattercheck::{measure::zeno, studies::reference::ProvenTimeRow};
 use contract::{Case, Oracle};
 use serde::de::DeserializeOwned;
 

@@ -8,10 +8,12 @@ use std::{
 
 use anyhow::{Context as _, bail};
 use chattercheck::{
-    case_file::CaseFields,
+    cases::case_file::CaseFields,
+    motion::{
+        plan::Question,
+        scene::{self, Scene},
+    },
     panel::{self, Enclosure, Settings},
-    plan::Question,
-    scene::{self, Scene},
 };
 use clap::Args;
 use contract::{Case, Horizon, Invalid, Model, Normalisation, Oracle, Slenderness};

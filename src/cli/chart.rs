@@ -1,7 +1,10 @@
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow, ensure};
-use chattercheck::{atlas, chart, plan, work_precision};
+use chattercheck::{
+    motion::plan,
+    studies::{atlas, chart, work_precision},
+};
 use clap::{Args, ValueEnum};
 
 use super::{Verdict, output::print};

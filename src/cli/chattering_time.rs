@@ -1,8 +1,8 @@
 use anyhow::{anyhow, bail};
 use chattercheck::{
-    observables::Observed,
+    measure::observables::Observed,
+    motion::plan::{Outcome, Plan, Question},
     panel::Enclosure,
-    plan::{Outcome, Plan, Question},
 };
 use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle as _};

@@ -1,5 +1,5 @@
 use anyhow::anyhow;
-use chattercheck::{critical, panel};
+use chattercheck::{measure::critical, panel};
 use clap::Args;
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow};
-use chattercheck::{
+use chattercheck::studies::{
     chart,
     diagnose::{CHARTS, Request, Tables},
 };

@@ -1,7 +1,7 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
-use chattercheck::{chart, paper};
+use chattercheck::studies::{chart, paper};
 use clap::Args;
 
 use super::{Verdict, output::print};

@@ -1,7 +1,7 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow};
-use chattercheck::reference;
+use chattercheck::studies::reference;
 use clap::Args;
 use serde::Serialize;
 

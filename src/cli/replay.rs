@@ -1,7 +1,11 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
-use chattercheck::{generate::Named, judge::Judges, panel, replay::Replay, report, verify};
+use chattercheck::{
+    cases::generate::Named,
+    gate::{judge::Judges, replay::Replay, report, run},
+    panel,
+};
 use clap::Args;
 use contract::Oracle;
 
@@ -26,7 +30,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
-    let (report, _) = verify::run(&panel, &judges, &cases, replay.seed, None, || ());
+    let (report, _) = run::run(&panel, &judges, &cases, replay.seed, None, || ());
     arguments.files.write(&report, &cases)?;
     let mut text = format!("found then: {}\n", replay.fault);
     for failure in &report.failures {

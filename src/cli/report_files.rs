@@ -7,8 +7,8 @@ use std::{
 
 use anyhow::Context as _;
 use chattercheck::{
-    generate::Named,
-    report::{self, Report},
+    cases::generate::Named,
+    gate::report::{self, Report},
 };
 use clap::Args;
 use contract::Invalid;

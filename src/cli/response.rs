@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
-use chattercheck::{
+use chattercheck::motion::{
     response::{Bout, BoutEnd, Condition, Request, Response, Termination, Window},
     scene::Scene,
 };

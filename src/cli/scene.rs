@@ -2,8 +2,8 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use chattercheck::{
-    critical,
-    scene::{self, Answers},
+    measure::critical,
+    motion::scene::{self, Answers},
 };
 use clap::Args;
 use contract::{Case, Model};
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         omega: case.omega(),
         eta: case.eta(),
         alpha: case.slenderness().map(|slenderness| slenderness.alpha()),
-        normalisation: case.slenderness().map(|s| chattercheck::case_file::name_of(s.normalisation())),
+        normalisation: case.slenderness().map(|s| chattercheck::cases::case_file::name_of(s.normalisation())),
         model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
         frequency_parameter: scene.block.frequency_parameter(),
         ground_acceleration: scene.acceleration(),

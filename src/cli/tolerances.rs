@@ -1,4 +1,4 @@
-use chattercheck::tolerance::TABLE;
+use chattercheck::gate::tolerance::TABLE;
 use clap::Args;
 
 use super::{Verdict, output::print};

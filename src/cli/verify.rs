@@ -2,13 +2,16 @@ use std::{fs, path::PathBuf};
 
 use anyhow::Context as _;
 use chattercheck::{
-    examine::Fault,
-    judge::Judges,
-    ladder, panel,
-    replay::Replay,
-    report::{self, Report},
-    shrink::shrink,
-    verify::{self, Failure, Request},
+    gate::{
+        examine::Fault,
+        judge::Judges,
+        ladder,
+        replay::Replay,
+        report::{self, Report},
+        run::{self, Failure, Request},
+        shrink::shrink,
+    },
+    panel,
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
@@ -63,13 +66,13 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
     arguments.files.check()?;
-    let cases = verify::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
+    let cases = run::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
     let bar = progress(cases.len() as u64, arguments.quiet);
     let ladders = Some(ladder::descend(&panel)?);
-    let (report, failures) = verify::run(&panel, &judges, &cases, arguments.seed, ladders, || bar.inc(1));
+    let (report, failures) = run::run(&panel, &judges, &cases, arguments.seed, ladders, || bar.inc(1));
     bar.finish_and_clear();
     arguments.files.write(&report, &cases)?;
     // First what was found: shrinking may take a while.

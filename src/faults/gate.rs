@@ -5,14 +5,16 @@ use rayon::prelude::*;
 
 use super::{Mistake, plant::Planted, remember::Remembering};
 use crate::{
-    answer::{Answer, ask},
-    examine::{Examination, Fault, examine_answers},
-    generate::{Generator, Named},
-    judge::Judges,
-    ladder,
+    cases::generate::{Generator, Named},
+    gate::{
+        examine::{Examination, Fault, examine_answers},
+        judge::Judges,
+        ladder,
+        report::{Report, Tally},
+        run::{self, Failure, Request},
+    },
+    measure::asking::{Answer, ask},
     panel::{self, Panel, SERIES},
-    report::{Report, Tally},
-    verify::{self, Failure, Request},
 };
 
 /// A panel, cases, and what the honest oracles answer to them.
@@ -43,7 +45,7 @@ const EVERY: [(Generator, usize); 4] =
 impl Gate {
     /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 40 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
-        let all = verify::cases(&Request { cases: RANDOM, seed, partition: (1, 1) });
+        let all = run::cases(&Request { cases: RANDOM, seed, partition: (1, 1) });
         let of = |(generator, every)| {
             all.iter().filter(move |named| named.generator == generator).step_by(every).cloned().collect::<Vec<_>>()
         };

@@ -3,7 +3,7 @@
 use contract::{Case, Ending, Estimate, History};
 
 use super::{Mistake, amount, whole};
-use crate::{faults::plant::Plant::Answer, zeno};
+use crate::{faults::plant::Plant::Answer, measure::zeno};
 
 pub(super) fn all() -> Vec<Mistake> {
     vec![

@@ -1,0 +1,5 @@
+//! Where a case comes in: from a file, or generated.
+
+pub mod case_file;
+pub mod generate;
+pub mod hex_float;

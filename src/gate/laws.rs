@@ -1,0 +1,185 @@
+//! What must be true of every history by itself.
+
+use contract::{Case, Ending, History, Horizon, Model, Normalisation};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    gate::{compare::Figure, tolerance},
+    measure::observables::{Observable, Observed},
+};
+
+/// A law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Law {
+    /// The oracle did not panic.
+    Answers,
+    /// The sequence was not lost.
+    NotLost,
+    /// Intervals are positive and finite, claims are numbers, the list is as long as the ending says.
+    Form,
+    /// The velocity has the sign of the flight that follows: `i_n = (-1)^{n+1}` (Eq. 70).
+    SignAlternates,
+    /// The times are the sums of the intervals (Eq. 42).
+    TimeIsSum,
+    /// Interval ratios tend to `η²` (Eq. 73), at the rate that follows from Eq. 4.
+    IntervalRatio,
+    /// What an oracle calls rest is still rest when it is asked for more impacts. Tried where the oracles' endings differ.
+    RestStays,
+    /// What an oracle calls overturned does not land again for another that follows it further. Tried where the oracles' endings differ.
+    OverturnedStays,
+}
+
+impl Law {
+    /// Every law, in the order in which they are tried.
+    pub const ALL: [Self; 8] = [
+        Self::Answers,
+        Self::NotLost,
+        Self::Form,
+        Self::SignAlternates,
+        Self::TimeIsSum,
+        Self::IntervalRatio,
+        Self::RestStays,
+        Self::OverturnedStays,
+    ];
+
+    /// What it says, for reports.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::Answers => "the oracle answers",
+            Self::NotLost => "the sequence is not lost",
+            Self::Form => "the history is well formed",
+            Self::SignAlternates => "the sign of the velocity alternates (Eq. 70)",
+            Self::TimeIsSum => "times are sums of intervals (Eq. 42)",
+            Self::IntervalRatio => "interval ratios tend to eta^2 at the known rate (Eq. 73)",
+            Self::RestStays => "rest stays rest when more impacts are asked for",
+            Self::OverturnedStays => "what is overturned does not land again",
+        }
+    }
+}
+
+/// A law that a history breaks.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Breach {
+    /// Which.
+    pub law: Law,
+    /// At which impact; 0 if the whole history does.
+    pub impact: usize,
+    /// How, with the numbers.
+    pub how: String,
+}
+
+/// What came out of checking one history against the laws.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Findings {
+    /// The first breach, if there is one.
+    pub breach: Option<Breach>,
+    /// The interval ratio that used most of its allowance.
+    pub ratio: Option<Figure>,
+}
+
+/// Checks the history of an oracle that solves `model`.
+pub fn check(case: &Case, model: Model, observed: &Observed) -> Findings {
+    let history = &observed.history;
+    let mut findings = Findings { breach: form(case, history), ratio: None };
+    if findings.breach.is_none() && forcing_is_known(case, model, history) {
+        for n in 3..=history.impacts.len() {
+            let Some(figure) = interval_ratio(case, observed, n) else { continue };
+            if findings.ratio.is_none_or(|worst| figure.share() > worst.share()) {
+                findings.ratio = Some(figure);
+            }
+            if figure.share() > 1.0 {
+                let how = format!(
+                    "ratio to the interval before last is off the first-order law by {:.3e}, allowed {:.3e}",
+                    figure.difference, figure.allowed
+                );
+                findings.breach = Some(Breach { law: Law::IntervalRatio, impact: n, how });
+                break;
+            }
+        }
+    }
+    findings
+}
+
+/// The laws that need no formula of the motion.
+fn form(case: &Case, history: &History) -> Option<Breach> {
+    let breach = |law, impact, how: String| Some(Breach { law, impact, how });
+    if let Ending::Lost(loss) = history.ending {
+        return breach(Law::NotLost, history.impacts.len() + 1, loss.to_string());
+    }
+    if history.impacts.len() > case.max_impacts() {
+        return breach(Law::Form, 0, format!("{} impacts listed, {} asked", history.impacts.len(), case.max_impacts()));
+    }
+    let expects_none = history.ending == Ending::NeverRocks;
+    let expects_some = history.ending == Ending::AtRest;
+    if (expects_none && !history.impacts.is_empty()) || (expects_some && history.impacts.is_empty()) {
+        return breach(Law::Form, 0, format!("{} with {} impacts", history.ending, history.impacts.len()));
+    }
+    let mut before = 0.0;
+    for (n, impact) in (1..).zip(&history.impacts) {
+        let claims = [impact.uncertainty.time, impact.uncertainty.interval, impact.uncertainty.velocity];
+        if claims.iter().any(|claim| claim.is_nan() || *claim < 0.0) {
+            return breach(Law::Form, n, format!("a claim is not a number of its kind: {claims:?}"));
+        }
+        if !(impact.interval > 0.0 && impact.interval.is_finite() && impact.time.is_finite()) {
+            return breach(Law::Form, n, format!("time {:?}, interval {:?}", impact.time, impact.interval));
+        }
+        let sign = if n % 2 == 1 { 1.0 } else { -1.0 };
+        if impact.velocity.is_nan() || impact.velocity * sign <= 0.0 {
+            return breach(Law::SignAlternates, n, format!("velocity {:?}, expected sign {sign:+}", impact.velocity));
+        }
+        let ulps = tolerance::TIME_IS_SUM.value * f64::EPSILON * impact.time;
+        let allowed = ulps + impact.uncertainty.interval * impact.interval;
+        let off = (impact.time - before - impact.interval).abs();
+        if off.is_nan() || off > allowed {
+            return breach(Law::TimeIsSum, n, format!("off by {off:.3e}, allowed {allowed:.3e}"));
+        }
+        before = impact.time;
+    }
+    None
+}
+
+/// Whether the forcing at the base is that of the case's own amplitude, and the chattering runs into rest in the first half period.
+fn forcing_is_known(case: &Case, model: Model, history: &History) -> bool {
+    let threshold = case.slenderness().is_none_or(|s| s.normalisation() == Normalisation::Threshold);
+    history.ending == Ending::AtRest && case.horizon() == Horizon::HalfPeriod && (model == Model::Linear || threshold)
+}
+
+/// How far the ratio of interval `n` to interval `n - 2` is from `η²` and its first-order correction; `None` outside the regime.
+///
+/// With `b = 1 + i f` and `c = i f'` the pull towards the base and its rate on the side `i`, a flight of duration `T` that leaves with speed
+/// `v` obeys, to first order in `T` and for both models, `T = (2v/b)(1 - cT/3b)` and lands with `v (1 + cT/3b)`.
+fn interval_ratio(case: &Case, observed: &Observed, n: usize) -> Option<Figure> {
+    let impacts = &observed.history.impacts;
+    let ratio = observed.at(Observable::IntervalRatio, n)?;
+    let first = impacts.get(n.checked_sub(3)?)?.interval;
+    let second = impacts.get(n.checked_sub(2)?)?.interval;
+    // The first of the three flights starts at impact n - 3, where initiation is impact 0.
+    let start = n.checked_sub(4).map_or(Some(0.0), |index| Some(impacts.get(index)?.time))?;
+    let (omega, epsilon, eta) = (case.omega(), case.epsilon(), case.eta());
+    // f = cos x + q sin x with x = ωτ, q = a cos ψ; 1 ± f without the cancellation at x = 0 and x = π
+    let quadrature = (epsilon * (2.0 + epsilon)).sqrt();
+    let (sin, cos) = (omega * start).sin_cos();
+    let (half_sin, half_cos) = (0.5 * omega * start).sin_cos();
+    let rate = omega * (quadrature * cos - sin);
+    let plus = rate / (2.0 * half_cos * half_cos + quadrature * sin);
+    let minus = -rate / (2.0 * half_sin * half_sin - quadrature * sin);
+    // c/b on the side of the first and third flight, and on the other
+    let (same, other) = if n % 2 == 1 { (minus, plus) } else { (plus, minus) };
+    let change = same.abs().max(other.abs()) * (first + second);
+    if change.is_nan() || change > tolerance::RATIO_REGIME.value {
+        return None;
+    }
+    let landing = (same * first + other * second) / 3.0;
+    let weaker_pull = -same * (first + second);
+    let shorter_flight = (1.0 - eta * eta) * same * first / 3.0;
+    let expected = eta * eta * (1.0 + landing + weaker_pull + shorter_flight);
+    Some(Figure {
+        impact: n,
+        difference: (ratio.value / expected - 1.0).abs(),
+        allowed: tolerance::RATIO_LAW.value * change * change + ratio.uncertainty,
+    })
+}
+
+#[cfg(test)]
+mod tests;

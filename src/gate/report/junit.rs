@@ -1,0 +1,36 @@
+//! The report as JUnit XML: one test case for each case that was run, so that a CI shows which failed.
+
+use quick_junit::{NonSuccessKind, Report as Xml, TestCase, TestCaseStatus, TestSuite};
+
+use super::{FailedCase, Report, failure_text};
+use crate::cases::generate::Named;
+
+/// The JUnit document of a run over `cases`.
+///
+/// # Errors
+/// When a name can't be written as XML.
+pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::SerializeError> {
+    let mut xml = Xml::new("chattercheck");
+    let mut suite = TestSuite::new("verify");
+    for named in cases {
+        let name = named.to_string();
+        let failure = report.failures.iter().find(|failure| failure.name == name);
+        suite.add_test_case(TestCase::new(name, failure.map_or_else(TestCaseStatus::success, failed)));
+    }
+    xml.add_test_suite(suite);
+    let mut whole = TestSuite::new("verify as a whole");
+    let mut status = TestCaseStatus::success();
+    if !report.shortfalls.is_empty() {
+        status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+        status.set_message(report.shortfalls.join("\n"));
+    }
+    whole.add_test_case(TestCase::new("shortfalls", status));
+    xml.add_test_suite(whole);
+    xml.to_string()
+}
+
+fn failed(failure: &FailedCase) -> TestCaseStatus {
+    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+    status.set_message(failure_text(failure));
+    status
+}

@@ -1,0 +1,61 @@
+//! What an oracle answered to a case.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use contract::{Case, Decline, Model, Oracle};
+
+use crate::measure::observables::Observed;
+
+/// One oracle's answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The oracle's name.
+    pub oracle: String,
+    /// The equation that it solves.
+    pub model: Model,
+    /// What it said.
+    pub outcome: Outcome,
+}
+
+/// What an oracle said.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// A history.
+    Observed(Observed),
+    /// That it can't do the case.
+    Declined(Decline),
+    /// Nothing: it panicked, with this message. Always a failure.
+    Panicked(String),
+}
+
+/// Asks an oracle. A panic inside a method must not take the run with it.
+pub fn ask(oracle: &dyn Oracle, case: &Case) -> Answer {
+    let outcome = match catch_unwind(AssertUnwindSafe(|| oracle.history(case))) {
+        Ok(Ok(history)) => Outcome::Observed(Observed::new(case, history)),
+        Ok(Err(decline)) => Outcome::Declined(decline),
+        Err(payload) => {
+            let text = payload.downcast_ref::<String>().map(String::as_str);
+            let message = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("no message");
+            Outcome::Panicked(message.to_owned())
+        }
+    };
+    Answer { oracle: oracle.name().to_owned(), model: oracle.model(), outcome }
+}
+
+impl Answer {
+    /// The history and what follows from it, if there is one.
+    pub fn into_observed(self) -> Option<Observed> {
+        match self.outcome {
+            Outcome::Observed(observed) => Some(observed),
+            Outcome::Declined(_) | Outcome::Panicked(_) => None,
+        }
+    }
+
+    /// The history and what follows from it, if there is one.
+    pub fn observed(&self) -> Option<&Observed> {
+        match &self.outcome {
+            Outcome::Observed(observed) => Some(observed),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! A history becomes numbers: asking an oracle, what is observed, the sum of infinitely many intervals, and how much each number may move.
+
+pub mod asking;
+pub mod conditioning;
+pub mod critical;
+pub mod model_gap;
+pub mod observables;
+pub mod zeno;

@@ -1,0 +1,170 @@
+//! Running the chosen candidate, and the next one where its answer is worse than asked.
+
+use contract::{Decline, Ending, Estimate, Oracle};
+
+use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
+use crate::{
+    measure::asking::{Outcome as Said, ask},
+    motion::response::{BoutEnd, Request, Response},
+};
+
+/// How many impacts an oracle lists for a chattering time.
+const IMPACTS: usize = 400;
+
+/// One method that was run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attempt {
+    /// The method.
+    pub method: Method,
+    /// What it found; `None` if it had no answer.
+    pub found: Option<Outcome>,
+    /// Why it had none, if it declined.
+    pub declined: Option<Decline>,
+    /// How many impacts it took.
+    pub impacts: usize,
+}
+
+/// What a method found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outcome {
+    /// The block never rocks.
+    NeverRocks,
+    /// The chattering is incomplete: the block does not come to rest within half a period. It rocks on, or overturns later.
+    Incomplete,
+    /// It overturns.
+    Overturned,
+    /// The chattering time in `τ`, and the error estimated after the fact: everything that is known to be wrong with it, absolute.
+    Complete(Estimate),
+}
+
+/// An answer and how it was come by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The methods that were run, in order; the last one's answer is the answer.
+    pub attempts: Vec<Attempt>,
+    /// Whether the answer is as accurate as asked, by its own estimate.
+    pub meets: bool,
+}
+
+impl Answer {
+    /// What was found in the end.
+    pub fn outcome(&self) -> Option<Outcome> {
+        self.attempts.last()?.found
+    }
+
+    /// The chattering time, if the chattering is complete.
+    pub fn chattering_time(&self) -> Option<Estimate> {
+        match self.outcome()? {
+            Outcome::Complete(time) => Some(time),
+            Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned => None,
+        }
+    }
+
+    /// Why the first of the methods that declined did, if one did.
+    pub fn declined(&self) -> Option<&Decline> {
+        self.attempts.iter().find_map(|attempt| attempt.declined.as_ref())
+    }
+
+    /// The method whose answer it is.
+    pub fn method(&self) -> Option<Method> {
+        Some(self.attempts.last()?.method)
+    }
+}
+
+pub(super) fn answer(plan: &Plan) -> Answer {
+    let question = &plan.question;
+    let mut attempts = Vec::new();
+    let chosen = plan.chosen().map(|candidate| candidate.method);
+    let able = || plan.candidates.iter().filter(|candidate| candidate.errors.is_ok());
+    let from = able().position(|candidate| Some(candidate.method) == chosen).unwrap_or(0);
+    // Then those that are dearer, as far as they are predicted to be better.
+    let later = able().skip(from + 1).filter(|candidate| candidate.meets(question.tolerance));
+    for candidate in able().skip(from).take(1).chain(later) {
+        let (found, impacts, declined) = match run(candidate, question) {
+            Ok((found, impacts)) => (found, impacts, None),
+            Err(decline) => (None, 0, Some(decline)),
+        };
+        attempts.push(Attempt { method: candidate.method, found, declined, impacts });
+        let meets = match found {
+            Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned) => true,
+            Some(Outcome::Complete(time)) => time.uncertainty <= question.tolerance * time.value,
+            None => false,
+        };
+        if meets {
+            return Answer { attempts, meets };
+        }
+    }
+    Answer { attempts, meets: false }
+}
+
+/// What was found, if anything, and how many impacts it took.
+type Ran = Result<(Option<Outcome>, usize), Decline>;
+
+fn run(candidate: &Candidate, question: &Question) -> Ran {
+    let Ok(errors) = &candidate.errors else { return Ok((None, 0)) };
+    match candidate.method {
+        Method::Nothing => Ok((Some(Outcome::NeverRocks), 0)),
+        Method::CriticalAmplitude => Ok((Some(Outcome::Incomplete), 0)),
+        Method::Linear | Method::Corrected | Method::Nonlinear => stepped(candidate.method, question, errors),
+        method => asked(method, question, errors),
+    }
+}
+
+/// An oracle's answer.
+fn asked(method: Method, question: &Question, errors: &Errors) -> Ran {
+    let (Some(oracle), Ok(case)) = (method.oracle(question), question.case.with_max_impacts(IMPACTS)) else {
+        return Ok((None, 0));
+    };
+    let observed = match ask(oracle.as_ref(), &case).outcome {
+        Said::Observed(observed) => observed,
+        Said::Declined(why) => return Err(why),
+        Said::Panicked(_) => return Ok((None, 0)),
+    };
+    let outcome = match observed.history.ending {
+        Ending::Incomplete => Some(Outcome::Incomplete),
+        Ending::Overturned => Some(Outcome::Overturned),
+        _ => observed.chattering_time.map(|time| Outcome::Complete(with(time, errors.model + errors.conditioning))),
+    };
+    Ok((outcome, observed.history.impacts.len()))
+}
+
+/// The estimate with a relative error that its method does not know of.
+fn with(time: Estimate, relative: f64) -> Estimate {
+    Estimate { uncertainty: time.uncertainty + relative * time.value, ..time }
+}
+
+/// Flights, no more than are needed.
+fn stepped(method: Method, question: &Question, errors: &Errors) -> Ran {
+    if let Some(request) = &question.request {
+        return method.oracle(question).map_or(Ok((None, 0)), |oracle| responded(oracle.as_ref(), request, errors));
+    }
+    let Some(solver) = method.flights(question)? else { return Ok((None, 0)) };
+    // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
+    let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
+    Ok(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
+        Found::Complete(time, impacts) => (Some(Outcome::Complete(with(time, known(errors)))), impacts),
+        Found::Incomplete(impacts) => (Some(Outcome::Incomplete), impacts),
+        Found::Overturned(impacts) => (Some(Outcome::Overturned), impacts),
+        Found::Undecided => (None, 0),
+    })
+}
+
+/// What is known to be wrong beside what closing the sum leaves.
+fn known(errors: &Errors) -> f64 {
+    errors.model + errors.discretisation + errors.conditioning
+}
+
+/// The first rocking of a motion that is not that of a case.
+fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Ran {
+    let response = Response::new(oracle, request)?;
+    let Some(bout) = response.bouts.first() else { return Ok((Some(Outcome::NeverRocks), 0)) };
+    let outcome = match bout.outcome {
+        BoutEnd::Complete { uncertainty } => {
+            Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
+        }
+        BoutEnd::Overturned => Some(Outcome::Overturned),
+        BoutEnd::Cut => Some(Outcome::Incomplete),
+        _ => None,
+    };
+    Ok((outcome, bout.impacts()))
+}

@@ -1,0 +1,307 @@
+//! Scenes: a block in metres and a ground motion in seconds, and what is asked of them; read from TOML and turned into cases.
+//!
+//! Unknown keys, missing ones and impossible values are errors that name the line.
+
+mod answer;
+mod file;
+mod response;
+
+use std::{f64::consts::TAU, fmt, ops::Range};
+
+use contract::{Case, Invalid, Model, Normalisation, Slenderness};
+use toml::Spanned;
+
+pub use answer::{AnswerError, Answers, ChatteringTime, Summary};
+pub use file::{
+    Amplitude, AskFields, BlockFields, Duration, Frequency, GroundFields, ModelName, Question, Restitution,
+    RestitutionRule, SceneFile,
+};
+
+use crate::cases::case_file::{is_control, one_line};
+
+/// The largest file that is read.
+pub const MOST_BYTES: usize = 1 << 20;
+/// Standard for this field; give `gravity` for another.
+const GRAVITY: f64 = 9.81;
+
+/// A scene whose values are all allowed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// What it is, for people; may be empty.
+    pub title: String,
+    /// The block.
+    pub block: Block,
+    /// The ground motion.
+    pub ground: Ground,
+    /// What is asked.
+    pub ask: Ask,
+}
+
+/// A rectangular rigid block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Half of the diagonal, `R`, in metres.
+    pub radius: f64,
+    /// The slenderness angle `α` in radians.
+    pub slenderness: f64,
+    /// The coefficient of restitution `η` (Eq. 13).
+    pub restitution: f64,
+    /// The acceleration of gravity in m/s².
+    pub gravity: f64,
+}
+
+/// A sinusoidal ground acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground {
+    /// As it is written.
+    pub amplitude: Amplitude,
+    /// As it is written.
+    pub frequency: Frequency,
+    /// The phase at `t = 0` in radians; `None` for the threshold.
+    pub phase: Option<f64>,
+    /// How long it lasts, in seconds; `None` for without end.
+    pub duration: Option<f64>,
+}
+
+/// What is asked of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ask {
+    /// The equation of motion.
+    pub model: Model,
+    /// What is wanted, at least one thing.
+    pub what: Vec<Question>,
+    /// How many impacts are listed at the most.
+    pub impacts: usize,
+    /// How accurately, relative.
+    pub tolerance: f64,
+}
+
+/// What is wrong with a scene, in one line: the line of the file where it can be named, the field, the value and the allowed range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneError(String);
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// The text of a scene, to say on which line something is.
+struct Text<'a>(&'a str);
+
+impl Text<'_> {
+    fn error(&self, span: &Range<usize>, problem: impl fmt::Display) -> SceneError {
+        let line = self.0.get(..span.start).map_or(1, |before| before.matches('\n').count() + 1);
+        SceneError(format!("line {line}: {problem}"))
+    }
+
+    /// The value if it is finite and `holds`.
+    fn number(
+        &self,
+        field: &'static str,
+        value: &Spanned<f64>,
+        holds: impl Fn(f64) -> bool,
+        allowed: &'static str,
+    ) -> Result<f64, SceneError> {
+        self.check(field, *value.get_ref(), &value.span(), holds, allowed)
+    }
+
+    fn check(
+        &self,
+        field: &'static str,
+        value: f64,
+        span: &Range<usize>,
+        holds: impl Fn(f64) -> bool,
+        allowed: &'static str,
+    ) -> Result<f64, SceneError> {
+        if value.is_finite() && holds(value) {
+            Ok(value)
+        } else {
+            Err(self.error(span, Invalid::new(field, format!("{value:?}"), allowed)))
+        }
+    }
+}
+
+impl Scene {
+    /// Reads a scene.
+    ///
+    /// # Errors
+    /// When the text is not TOML, a key is unknown or missing, or a value is not allowed. The message names the line.
+    pub fn parse(text: &str) -> Result<Self, SceneError> {
+        if text.len() > MOST_BYTES {
+            return Err(SceneError(Invalid::new("size of the file", text.len(), "up to 1 MiB").to_string()));
+        }
+        let file: SceneFile = toml::from_str(text).map_err(|error| SceneError(one_line(&error, text)))?;
+        let text = Text(text);
+        let block = Block::read(&file.block, &text)?;
+        Ok(Self {
+            // It is printed: no control characters.
+            title: file.title.unwrap_or_default().chars().filter(|c| !is_control(*c)).take(200).collect(),
+            ground: Ground::read(&file.ground, &block, &text)?,
+            ask: Ask::read(&file.ask, &text)?,
+            block,
+        })
+    }
+
+    /// The dimensionless case: that of the first rocking from rest, with the slenderness if the model needs it.
+    ///
+    /// A case knows neither when the motion of the ground starts nor when it ends: it is that of a motion that passes the threshold and goes on.
+    ///
+    /// The amplitude is measured against the threshold `g tan α`, at which the block does begin to rock, for both models; only one that is
+    /// written `over-slender-threshold` is measured against `g α`.
+    ///
+    /// # Errors
+    /// When the numbers leave the range of a case.
+    pub fn case(&self) -> Result<Case, Invalid> {
+        let omega = self.omega();
+        let (a, normalisation) = match self.ground.amplitude {
+            Amplitude::OverSlenderThreshold(a) => (a, Normalisation::Slender),
+            _ => (self.over_threshold(), Normalisation::Threshold),
+        };
+        let case = Case::from_amplitude(a, omega, self.block.restitution)?.with_max_impacts(self.ask.impacts)?;
+        Ok(match self.ask.model {
+            Model::Linear => case,
+            Model::Nonlinear => case.with_slenderness(Slenderness::new(self.block.slenderness, normalisation)?),
+        })
+    }
+
+    /// The amplitude of the ground acceleration in m/s².
+    pub fn acceleration(&self) -> f64 {
+        let Block { gravity, slenderness, .. } = self.block;
+        match self.ground.amplitude {
+            Amplitude::G(value) => value * gravity,
+            Amplitude::MPerS2(value) => value,
+            Amplitude::OverThreshold(a) => a * gravity * slenderness.tan(),
+            Amplitude::OverSlenderThreshold(a) => a * gravity * slenderness,
+        }
+    }
+
+    /// The amplitude over the threshold `g tan α` (Eq. 1); without rounding where it is written so.
+    fn over_threshold(&self) -> f64 {
+        match self.ground.amplitude {
+            Amplitude::OverThreshold(a) => a,
+            _ => self.acceleration() / (self.block.gravity * self.block.slenderness.tan()),
+        }
+    }
+
+    /// The frequency ratio `ω = ω_g/p`.
+    pub fn omega(&self) -> f64 {
+        match self.ground.frequency {
+            Frequency::Omega(omega) => omega,
+            Frequency::Hz(frequency) => TAU * frequency / self.block.frequency_parameter(),
+        }
+    }
+}
+
+impl Block {
+    fn read(fields: &BlockFields, text: &Text) -> Result<Self, SceneError> {
+        const LENGTH: &str = "1e-6 to 1e6 (metres)";
+        let length =
+            |field, value: &Spanned<f64>| text.number(field, value, |value| (1e-6..=1e6).contains(&value), LENGTH);
+        let BlockFields { half_width, half_height, radius, slenderness, restitution, gravity } = fields;
+        let (radius, slenderness) = match (half_width, half_height, radius, slenderness) {
+            (Some(width), Some(height), None, None) => {
+                let (width, height) = (length("half_width", width)?, length("half_height", height)?);
+                (width.hypot(height), width.atan2(height))
+            }
+            (None, None, Some(radius), Some(slenderness)) => {
+                let allowed = |value: f64| value > 0.0 && value < std::f64::consts::FRAC_PI_2;
+                let slenderness =
+                    text.number("slenderness", slenderness, allowed, "0 < slenderness < pi/2 (radians)")?;
+                (length("radius", radius)?, slenderness)
+            }
+            _ => {
+                return Err(SceneError(
+                    "[block] needs half_width and half_height, or radius and slenderness, and not both pairs"
+                        .to_owned(),
+                ));
+            }
+        };
+        let of_angular_momentum = 1.0 - 1.5 * slenderness.sin().powi(2);
+        let (value, allowed) = match restitution.get_ref() {
+            Restitution::Value(value) => (*value, "0 < restitution < 1"),
+            Restitution::Rule(RestitutionRule::Housner) => (
+                of_angular_momentum,
+                "for \"housner\" 1 - 3/2 sin^2(slenderness) has to be above 0: slenderness < 0.9553",
+            ),
+        };
+        let inside = |value: f64| value > 0.0 && value < 1.0;
+        let restitution = text.check("restitution", value, &restitution.span(), inside, allowed)?;
+        let gravity = gravity.as_ref().map_or(Ok(GRAVITY), |gravity| {
+            text.number("gravity", gravity, |gravity| (1e-6..=1e6).contains(&gravity), "1e-6 to 1e6 (m/s^2)")
+        })?;
+        Ok(Self { radius, slenderness, restitution, gravity })
+    }
+
+    /// The frequency parameter `p = (3g/4R)^(1/2)` in 1/s (after Eq. 2).
+    pub fn frequency_parameter(&self) -> f64 {
+        (0.75 * self.gravity / self.radius).sqrt()
+    }
+}
+
+impl Ground {
+    fn read(fields: &GroundFields, block: &Block, text: &Text) -> Result<Self, SceneError> {
+        let positive = |value: f64| (1e-9..=1e9).contains(&value);
+        let amplitude = *fields.amplitude.get_ref();
+        let (Amplitude::G(value)
+        | Amplitude::MPerS2(value)
+        | Amplitude::OverThreshold(value)
+        | Amplitude::OverSlenderThreshold(value)) = amplitude;
+        text.check("amplitude", value, &fields.amplitude.span(), |value| (0.0..=1e6).contains(&value), "0 to 1e6")?;
+        let frequency = *fields.frequency.get_ref();
+        let (Frequency::Hz(value) | Frequency::Omega(value)) = frequency;
+        text.check("frequency", value, &fields.frequency.span(), positive, "1e-9 to 1e9")?;
+        let whole_turns =
+            |phase: &Spanned<f64>| text.number("phase", phase, |phase| phase.abs() <= 1e3, "-1000 to 1000 (radians)");
+        let phase = fields.phase.as_ref().map(whole_turns).transpose()?;
+        let cycles_a_second = match frequency {
+            Frequency::Hz(frequency) => frequency,
+            Frequency::Omega(omega) => omega * block.frequency_parameter() / TAU,
+        };
+        let seconds = |duration: &Spanned<Duration>| {
+            let (field, value, seconds) = match *duration.get_ref() {
+                Duration::Seconds(seconds) => ("duration", seconds, seconds),
+                Duration::Cycles(cycles) => ("duration", cycles, cycles / cycles_a_second),
+            };
+            let most = |_| seconds > 0.0 && seconds * cycles_a_second <= 1e4;
+            text.check(field, value, &duration.span(), most, "above 0, up to 10000 cycles")?;
+            Ok(seconds)
+        };
+        let duration = fields.duration.as_ref().map(seconds).transpose()?;
+        Ok(Self { amplitude, frequency, phase, duration })
+    }
+}
+
+impl Ask {
+    fn read(fields: &AskFields, text: &Text) -> Result<Self, SceneError> {
+        let impacts = match &fields.impacts {
+            None => Case::DEFAULT_IMPACTS,
+            Some(impacts) => {
+                let value = usize::try_from(*impacts.get_ref()).ok();
+                value.filter(|value| (1..=Case::MOST_IMPACTS).contains(value)).ok_or_else(|| {
+                    text.error(&impacts.span(), Invalid::new("impacts", impacts.get_ref(), "1 to 1000000"))
+                })?
+            }
+        };
+        let tolerance = fields.tolerance.as_ref().map_or(Ok(1e-6), |tolerance| {
+            text.number("tolerance", tolerance, |value| (1e-15..=0.5).contains(&value), "1e-15 to 0.5 (relative)")
+        })?;
+        let model = match fields.model.unwrap_or_default() {
+            ModelName::Linear => Model::Linear,
+            ModelName::Nonlinear => Model::Nonlinear,
+        };
+        let what =
+            fields.what.clone().filter(|what| !what.is_empty()).unwrap_or_else(|| vec![Question::ChatteringTime]);
+        Ok(Self { model, what, impacts, tolerance })
+    }
+}
+
+/// The JSON Schema of scene files.
+///
+/// # Errors
+/// Never, as far as a schema can be written as JSON.
+pub fn schema() -> Result<String, serde_json::Error> {
+    Ok(serde_json::to_string_pretty(&schemars::schema_for!(SceneFile))? + "\n")
+}

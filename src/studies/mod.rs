@@ -1,0 +1,9 @@
+//! What is measured once, recorded and drawn: the paper, where methods fail, what precision costs.
+
+pub mod atlas;
+pub mod chart;
+pub mod diagnose;
+pub mod paper;
+pub mod reference;
+pub mod specimens;
+pub mod work_precision;
