@@ -1,5 +1,5 @@
 //! An event stepper for Eq. 4 that can be told to make mistakes. Without one it is an honest method: it passes the gate in the place of the
-//! closed form, with the same claims up to a factor that `tests/detection_floor.rs` relies on.
+//! closed form, with the same claims up to a factor that `tests/gate/detection_floor.rs` relies on.
 //!
 //! A flight is followed in local time `s` as the distance from the base, `u = i φ`, by its Taylor series: with `g = -1 - i f`, Eq. 4 is
 //! `u'' = κ u + g`, `κ = 1`, so each derivative follows from the last but one. The printed solution, Eq. 6, is the same function:

@@ -71,7 +71,7 @@ const LARGEST_RATIO: f64 = 0.5;
 /// to the first in any observable.
 ///
 /// `c₂ μ²` and `c₃ μ³` are derived. The factor on them stands for the terms that follow, which fall the more slowly the nearer a singularity is (the
-/// critical amplitude, a grazing impact), as `ρ` tells. It is calibrated: see `tests/linearisation.rs`.
+/// critical amplitude, a grazing impact), as `ρ` tells. It is calibrated: see `tests/gate/linearisation.rs`.
 fn left(mu: f64, [_, second, third]: [f64; 3], ratio: f64) -> f64 {
     if ratio.is_nan() || ratio >= LARGEST_RATIO {
         return f64::INFINITY;

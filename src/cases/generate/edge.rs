@@ -30,7 +30,7 @@ pub(super) fn cases(stepper: &dyn Oracle) -> Vec<(String, Case)> {
         for step in STEPS {
             add(name(&format!("a=1+{step:e}")), step, omega, eta);
         }
-        // Without a critical amplitude there is nothing to walk towards; `tests/reach.rs` makes sure that there is one.
+        // Without a critical amplitude there is nothing to walk towards; `tests/gate/reach.rs` makes sure that there is one.
         let Ok(Some((below, above))) = critical::bracket(stepper, omega, eta) else { continue };
         add(name("a=a_cr,below"), below, omega, eta);
         add(name("a=a_cr,above"), above, omega, eta);

@@ -1,7 +1,7 @@
 //! Formulas for the critical amplitude that are short enough to print. They return `a_cr` itself, dimensionless as in Eq. 5: 1 is
 //! the amplitude at which rocking starts.
 //!
-//! The largest errors are those on the grid of `tests/critical.rs`, against the interpolant; `ω` is from 0.5 to 8 everywhere.
+//! The largest errors are those on the grid of `tests/studies/critical.rs`, against the interpolant; `ω` is from 0.5 to 8 everywhere.
 
 /// The fit of Eq. 76, good to a few parts in a thousand for `η > 0.75` and `ω` from 0.5 to 8.
 pub fn eq76(omega: f64, eta: f64) -> f64 {

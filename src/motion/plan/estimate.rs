@@ -39,7 +39,7 @@ pub struct Place {
 
 /// The relative linearisation error of the chattering time is `C α² ε/ω² (1 - r)^(β-1)`: the rotation that the two models disagree about is of the order
 /// of `ε/ω²`, and towards `a_cr` its effect grows as that of any change does. `C` was 0.18 to 0.37 for every `η` from 0.5 to 0.97, `ω` from 0.5 to 8 and `r`
-/// from 0.01 to 0.999 (`tests/plan.rs` measures it against the enclosure); this is above all of them.
+/// from 0.01 to 0.999 (`tests/motion/plan.rs` measures it against the enclosure); this is above all of them.
 const LINEARISATION: f64 = 0.4;
 
 /// The range in which that was measured, of `ω` and of `η`.
@@ -47,7 +47,7 @@ pub const MEASURED: [std::ops::RangeInclusive<f64>; 2] = [0.5..=8.0, 0.5..=0.97]
 
 /// What is left of it where each flight is corrected to first order ([`Flights`](crate::motion::linearisation::Flights)) is
 /// at most `C μ² ε²/ω² (1 + 1/ω²) (1 - r)^(β-1)` with `μ = 2(1/cos α - 1)`: a second order of the rotation, and of the slenderness. Calibrated, and measured against
-/// the enclosure by `tests/plan.rs`.
+/// the enclosure by `tests/motion/plan.rs`.
 const SECOND_ORDER: f64 = 0.4;
 
 /// What the quadrature leaves of the first order: three times what its rules are good to.

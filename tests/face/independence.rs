@@ -2,7 +2,6 @@
 //!
 //! Shared code would make two methods agree on the same mistake. The contract crate carries words only: it is `no_std`, which keeps `sqrt`
 //! and `sin` out of it, and depends on nothing.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::{collections::BTreeSet, path::Path, process::Command};
 

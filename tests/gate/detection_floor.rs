@@ -1,5 +1,4 @@
 //! Every planted fault is seen, and the specimens that faults are planted with are honest without one.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     faults::{

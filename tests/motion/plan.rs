@@ -1,5 +1,4 @@
 //! The plan: what it predicts is true, what it chooses is enough, and it costs little.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use chattercheck::{
     measure::{asking::ask, critical},

@@ -1,5 +1,4 @@
 //! The oracles against values with many digits (`data/reference`), and those against the command that made them.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,5 @@
 //! The gate is tested by planting faults in one oracle: each must turn it red, and the report must name the oracle, the observable and the
 //! first impact at which it shows.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     cases::generate::{Generator, Named},

@@ -1,5 +1,4 @@
 //! Single flights, from anywhere: what responses are made of. The same laws for both methods that have them.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use approx::assert_relative_eq;
 use chattercheck::panel::{self, Settings};

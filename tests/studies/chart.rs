@@ -1,5 +1,4 @@
 //! The work-precision charts: what they measure, on one distance, and the command.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use std::{collections::BTreeSet, sync::OnceLock};
 

@@ -1,5 +1,4 @@
 //! No more is computed than is needed: impacts of the tail, digits of the enclosure.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use chattercheck::{
     measure::zeno,

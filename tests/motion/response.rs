@@ -1,5 +1,4 @@
 //! Whole responses: the laws that they obey, and what the command makes of scenes.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,5 +1,4 @@
 //! The judge: what it proves is what the others find, it names the one that is wrong, and no oracle claims less than its true error.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     cases::generate::{Generator, Named},

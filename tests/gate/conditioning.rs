@@ -1,5 +1,4 @@
 //! The derivatives of the impacts by the parameters, and the tolerances that are made of them.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     cases::generate::{Generator, Named},

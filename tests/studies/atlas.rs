@@ -1,5 +1,4 @@
 //! What the atlas says of each way of handling the accumulation point, on a few cases.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use std::sync::OnceLock;
 

@@ -1,5 +1,4 @@
 //! What the gate is for: the methods agree, and with values from outside.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use approx::assert_relative_eq;
 use chattercheck::{

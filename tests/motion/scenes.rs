@@ -1,5 +1,4 @@
 //! Scenes: physical units, and what is wrong with a file, said on its line.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use approx::assert_relative_eq;
 use assert_cmd::Command;

@@ -1,5 +1,4 @@
 //! The critical amplitude: the interpolant and the short fits, against certified values and direct stepping.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::path::Path;
 

@@ -1,5 +1,4 @@
 //! The commands: their formats, their exit status, and what bad input gets.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::path::Path;
 

@@ -1,5 +1,4 @@
 //! What the linear model leaves out, against the enclosure of the nonlinear one; and the linear model corrected by it.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     gate::{

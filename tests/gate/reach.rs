@@ -1,5 +1,4 @@
 //! The generators hit what they should. A generator that silently stopped reaching a regime would leave the gate green and blind.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use chattercheck::{
     cases::generate::{Generator, Named},

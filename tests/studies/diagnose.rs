@@ -1,5 +1,4 @@
 //! What `diagnose` measures: the tables say what they should, and the charts are drawn from the files.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use std::sync::OnceLock;
 

@@ -1,5 +1,4 @@
 //! Numbers of the paper, and of what it leaves out, to more digits than the claims of `tests/paper.rs` have.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use approx::assert_relative_eq;
 use chattercheck::{

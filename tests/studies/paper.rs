@@ -1,5 +1,4 @@
 //! The paper again: its figures are drawn from their tables and say what their captions say, and its claims are all measured.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::{
     collections::BTreeSet,

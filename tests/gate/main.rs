@@ -1,0 +1,13 @@
+//! The gate: what agrees, what has to turn it red, and what it is allowed.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
+
+mod agreement;
+mod conditioning;
+mod detection_floor;
+mod faults;
+mod judge;
+mod linearisation;
+mod reach;
+
+#[path = "../effort/mod.rs"]
+mod effort;
