@@ -7,7 +7,7 @@ use chattercheck::{
 };
 use clap::{Args, ValueEnum};
 
-use super::{Verdict, output::print};
+use super::{Status, output::print};
 
 /// Speed against accuracy, and where methods fail: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -34,7 +34,7 @@ enum Part {
     Plan,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { out, only, peers } = arguments;
     ensure!(
         peers.is_none() || only.is_none_or(|only| only == Part::WorkPrecision),
@@ -47,14 +47,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let bar = indicatif::ProgressBar::new_spinner();
     let wanted = |part| only.is_none_or(|only| only == part);
     if wanted(Part::WorkPrecision) {
-        let mut rows = work_precision::measure(&work_precision::Request::default(), || bar.inc(1))
+        let mut rows = work_precision::measure(&work_precision::Scope::default(), || bar.inc(1))
             .map_err(|decline| anyhow!("{decline}"))?;
         rows.extend(peers);
         print(&chart::write(out, &work_precision::files(&rows)?, &work_precision::CHARTS)?)?;
     }
     if wanted(Part::Atlas) {
-        let tables = atlas::Tables::measure(&atlas::Request::default(), || bar.inc(1))
-            .map_err(|decline| anyhow!("{decline}"))?;
+        let tables =
+            atlas::Tables::measure(&atlas::Scope::default(), || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
         print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
     }
     if wanted(Part::Plan) {
@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         print(&chart::write(out, &files, &plan::map::CHARTS)?)?;
     }
     bar.finish_and_clear();
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }
 
 fn peers_in(path: &PathBuf) -> anyhow::Result<Vec<work_precision::WorkRow>> {

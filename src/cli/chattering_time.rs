@@ -9,7 +9,7 @@ use contract::{Case, Ending, Invalid, Oracle as _};
 use serde::Serialize;
 
 use super::{
-    Verdict,
+    Status,
     case_flags::{CaseFlags, OracleFlags},
     output::Format,
 };
@@ -57,7 +57,7 @@ struct Answer<'a> {
     ending: String,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let mut impacts = arguments.impacts.unwrap_or(64);
     arguments.oracle.remark(&arguments.case)?;
     let mut case = arguments.case.case(impacts)?;
@@ -88,11 +88,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let mut answer = answer(oracle.name(), &case, &observed);
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
-    Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
+    Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
 }
 
 /// The answer of the cheapest method that meets the tolerance. Its uncertainty is all that is known to be wrong with it, the model included.
-fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict> {
+fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> {
     if let Some(impacts) = arguments.impacts {
         return Err(Invalid::new(
             "impacts",
@@ -136,11 +136,11 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Verdict>
             question.tolerance
         );
     }
-    Ok(if outcome.is_some() { Verdict::Well } else { Verdict::Disagreed })
+    Ok(if outcome.is_some() { Status::Well } else { Status::Disagreed })
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.
-fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow::Result<Verdict> {
+fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow::Result<Status> {
     let declines = |decline| anyhow!("{} declines: {decline}", enclosure.name());
     let enclosed = enclosure.enclose(case).map_err(declines)?;
     let observed = Observed::new(case, enclosed.history());
@@ -156,7 +156,7 @@ fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow
     }
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }
 
 /// The chattering time of a scene in its own units.

@@ -3,7 +3,7 @@ use chattercheck::{measure::critical, panel};
 use clap::Args;
 use serde::Serialize;
 
-use super::{Verdict, case_flags::number, output::Format};
+use super::{Status, case_flags::number, output::Format};
 
 /// The critical amplitude of the linear model: below it the chattering is complete, above it incomplete; with a proof of both
 ///
@@ -38,7 +38,7 @@ struct Answer {
 /// Digits enough to tell the two amplitudes apart.
 const DIGITS: u32 = 18;
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let &Arguments { omega, eta, format } = arguments;
     let critical = panel::critical_amplitude(omega, eta).map_err(|decline| anyhow!("{decline}"))?;
     let [lower, upper] = critical.amplitude.decimals(DIGITS);
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         eq77: critical::eq77(eta),
     };
     format.print(&answer, text)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }
 
 fn text(answer: &Answer) -> String {

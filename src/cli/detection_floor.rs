@@ -9,7 +9,7 @@ use chattercheck::{
 use clap::{Args, ValueEnum};
 use comfy_table::{Table, presets};
 
-use super::{Verdict, output::print};
+use super::{Status, output::print};
 
 /// Plant every fault of the catalogue in turn, and find the smallest size at which the gate is red
 #[derive(Args)]
@@ -29,11 +29,11 @@ enum Format {
     Json,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let gate = Gate::new(panel::default(), arguments.seed);
-    let mistakes = catalogue(gate.oracles());
-    let bar = indicatif::ProgressBar::new(mistakes.len() as u64);
-    let rows = floor::table(&gate, &mistakes, || bar.inc(1))?;
+    let faults = catalogue(gate.oracles());
+    let bar = indicatif::ProgressBar::new(faults.len() as u64);
+    let rows = floor::table(&gate, &faults, || bar.inc(1))?;
     bar.finish_and_clear();
     match arguments.format {
         Format::Json => print(&(serde_json::to_string_pretty(&rows)? + "\n"))?,
@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     for row in &escaped {
         eprintln!("chattercheck: the gate stays green with \"{}\" in {}", row.fault, row.oracle);
     }
-    Ok(if escaped.is_empty() { Verdict::Well } else { Verdict::Disagreed })
+    Ok(if escaped.is_empty() { Status::Well } else { Status::Disagreed })
 }
 
 const HEAD: [&str; 6] = ["fault", "oracle", "size is", "natural", "smallest caught", "by"];

@@ -3,12 +3,12 @@ use std::{fs, path::PathBuf};
 use anyhow::{Context as _, anyhow};
 use chattercheck::studies::{
     chart,
-    diagnose::{CHARTS, Request, Tables},
+    diagnose::{CHARTS, Scope, Tables},
 };
 use clap::Args;
 use contract::Invalid;
 
-use super::{Verdict, case_flags::number, output::print};
+use super::{Status, case_flags::number, output::print};
 
 /// Where and why the asymptotic series breaks near the critical amplitude: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -30,7 +30,7 @@ pub(super) struct Arguments {
     grid: i64,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { out, omega, eta, grid } = arguments;
     let request = request(*omega, eta, *grid)?;
     // First, because what follows takes a while.
@@ -40,10 +40,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
     print(&chart::write(out, &tables.files()?, &CHARTS)?)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }
 
-fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Request, Invalid> {
+fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Scope, Invalid> {
     if !(0.5..=8.0).contains(&omega) {
         return Err(Invalid::new("omega", omega, "0.5 to 8"));
     }
@@ -55,5 +55,5 @@ fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Request, Invalid> {
     }
     let steps = usize::try_from(grid).ok().filter(|grid| (1..=200).contains(grid));
     let grid = steps.ok_or_else(|| Invalid::new("grid", grid, "1 to 200"))?;
-    Ok(Request { omega, etas: etas.to_vec(), grid })
+    Ok(Scope { omega, etas: etas.to_vec(), grid })
 }

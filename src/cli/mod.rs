@@ -53,7 +53,7 @@ enum Command {
 }
 
 /// What a command that ran came to.
-pub(crate) enum Verdict {
+pub(crate) enum Status {
     /// All is well.
     Well,
     /// A check disagreed.
@@ -84,8 +84,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Plan(arguments) => plan::run(&arguments),
     };
     match result {
-        Ok(Verdict::Well) => ExitCode::SUCCESS,
-        Ok(Verdict::Disagreed) => ExitCode::from(1),
+        Ok(Status::Well) => ExitCode::SUCCESS,
+        Ok(Status::Disagreed) => ExitCode::from(1),
         // A reader that has seen enough, as in `chattercheck simulate | head`, is no error.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {

@@ -1,13 +1,13 @@
 use chattercheck::panel;
 use clap::Args;
 
-use super::{Verdict, output::print};
+use super::{Status, output::print};
 
 /// List the oracles, and which of them `verify` asks by default
 #[derive(Args)]
 pub(super) struct Arguments {}
 
-pub(super) fn run(_: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(_: &Arguments) -> anyhow::Result<Status> {
     let default = panel::default();
     let mut text = String::new();
     for oracle in panel::all() {
@@ -15,5 +15,5 @@ pub(super) fn run(_: &Arguments) -> anyhow::Result<Verdict> {
         text += &format!("{:24} {:10} {asked}\n", oracle.name(), format!("{:?}", oracle.model()).to_lowercase());
     }
     print(&text)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }

@@ -4,7 +4,7 @@ use anyhow::Context as _;
 use chattercheck::studies::{chart, paper};
 use clap::Args;
 
-use super::{Verdict, output::print};
+use super::{Status, output::print};
 
 /// The paper again: its figures as tables (CSV) and charts (SVG) drawn from them, and its claims, each measured and judged
 ///
@@ -17,7 +17,7 @@ pub(super) struct Arguments {
     out: PathBuf,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { out } = arguments;
     // First, because what follows takes a while.
     fs::create_dir_all(out)
@@ -26,5 +26,5 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let files = paper::files(|| bar.inc(1))?;
     bar.finish_and_clear();
     print(&chart::place(out, &files)?)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }

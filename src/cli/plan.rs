@@ -7,7 +7,7 @@ use contract::Invalid;
 use serde::Serialize;
 
 use super::{
-    Verdict,
+    Status,
     case_flags::{number, read_scene},
     output::Format,
 };
@@ -73,7 +73,7 @@ struct Answered {
     meets_tolerance: bool,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let scene = read_scene(&arguments.scene)?;
     let tolerance = arguments.tolerance.unwrap_or(scene.ask.tolerance);
     if !(1e-15..=0.5).contains(&tolerance) {
@@ -86,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     let document = document(scene.title.clone(), scene.block.frequency_parameter(), &plan, &answer);
     arguments.format.print(&document, text)?;
-    Ok(if answer.outcome().is_some() { Verdict::Well } else { Verdict::Disagreed })
+    Ok(if answer.outcome().is_some() { Status::Well } else { Status::Disagreed })
 }
 
 fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answer) -> Document {

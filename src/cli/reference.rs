@@ -5,7 +5,7 @@ use chattercheck::studies::reference;
 use clap::Args;
 use serde::Serialize;
 
-use super::Verdict;
+use super::Status;
 
 /// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; critical amplitudes,
 /// certified ones and an interpolant
@@ -16,7 +16,7 @@ pub(super) struct Arguments {
     out: PathBuf,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let folder = &arguments.out;
     let bar = indicatif::ProgressBar::new_spinner();
     let (impacts, times) = reference::tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     write(&folder.join("proven_chattering_times.csv"), &proven_times)?;
     write(&folder.join("critical_amplitudes.csv"), &critical)?;
     write(&folder.join("critical_interpolant.csv"), &interpolant)?;
-    Ok(Verdict::Well)
+    Ok(Status::Well)
 }
 
 fn write<Row: Serialize>(path: &PathBuf, rows: &[Row]) -> anyhow::Result<()> {

@@ -9,7 +9,7 @@ use chattercheck::{
 use clap::Args;
 use contract::Oracle;
 
-use super::{Verdict, output::print, report_files::ReportFiles};
+use super::{Status, output::print, report_files::ReportFiles};
 
 /// Run one stored disagreement again
 #[derive(Args)]
@@ -20,7 +20,7 @@ pub(super) struct Arguments {
     files: ReportFiles,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
     arguments.files.check()?;
     let text = fs::read_to_string(&arguments.file).with_context(|| format!("cannot read {path}"))?;
@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let cases = [Named::parse(&replay.found_in, case)];
     let (report, _) = run::run(&panel, &judges, &cases, replay.seed, None, || ());
     arguments.files.write(&report, &cases)?;
-    let mut text = format!("found then: {}\n", replay.fault);
+    let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));
     }
@@ -45,5 +45,5 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         (false, false) => "FAIL: the disagreement is still there",
     };
     print(&format!("{text}{verdict}\n"))?;
-    Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
+    Ok(if report.passes() { Status::Well } else { Status::Disagreed })
 }

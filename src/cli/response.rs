@@ -10,7 +10,7 @@ use contract::{Invalid, Model};
 use serde::Serialize;
 
 use super::{
-    Verdict,
+    Status,
     case_flags::{number, read_scene},
     output::print,
 };
@@ -112,7 +112,7 @@ struct RestRow {
     to: f64,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let mut scene = read_scene(&arguments.scene)?;
     if let Some(model) = arguments.model {
         scene.ask.model = match model {
@@ -138,7 +138,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     }
     eprintln!("{name}: {}", summary(&response));
     let lost = response.bouts.iter().any(|bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts));
-    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
+    Ok(if lost { Status::Disagreed } else { Status::Well })
 }
 
 impl Arguments {

@@ -10,7 +10,7 @@ use contract::{Case, Model};
 use serde::Serialize;
 
 use super::{
-    Verdict,
+    Status,
     case_flags::read_scene,
     output::{Format, print},
 };
@@ -56,10 +56,10 @@ struct Answer {
     answers: Answers,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if arguments.schema {
         print(&scene::schema()?)?;
-        return Ok(Verdict::Well);
+        return Ok(Status::Well);
     }
     let path = arguments.file.as_deref().ok_or_else(|| anyhow!("no scene file"))?;
     let scene = read_scene(path)?;
@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     };
     arguments.format.print(&answer, text)?;
     let lost = answer.answers.chattering_time.is_some_and(|chattering| chattering.complete.is_none());
-    Ok(if lost { Verdict::Disagreed } else { Verdict::Well })
+    Ok(if lost { Status::Disagreed } else { Status::Well })
 }
 
 fn text(answer: &Answer) -> String {

@@ -6,7 +6,7 @@ use contract::{Case, Ending, History};
 use serde::Serialize;
 
 use super::{
-    Verdict,
+    Status,
     case_flags::{CaseFlags, OracleFlags},
 };
 
@@ -65,7 +65,7 @@ struct Document<'a> {
     impacts: Vec<ClaimedRow>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let case = arguments.case.case(arguments.impacts)?;
     let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
     arguments.oracle.remark(&arguments.case)?;
@@ -93,7 +93,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
         }
     }
     eprintln!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len());
-    Ok(if matches!(history.ending, Ending::Lost(_)) { Verdict::Disagreed } else { Verdict::Well })
+    Ok(if matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
 }
 
 /// The rows with the claims of the oracle; initiation is exact.

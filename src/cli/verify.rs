@@ -3,12 +3,12 @@ use std::{fs, path::PathBuf};
 use anyhow::Context as _;
 use chattercheck::{
     gate::{
-        examine::Fault,
+        examine::Finding,
         judge::Judges,
         ladder,
         replay::Replay,
         report::{self, Report},
-        run::{self, Failure, Request},
+        run::{self, Failure, Selection},
         shrink::shrink,
     },
     panel,
@@ -18,13 +18,13 @@ use contract::{Invalid, Oracle};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
-use super::{Verdict, output::print, report_files::ReportFiles};
+use super::{Status, output::print, report_files::ReportFiles};
 
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
 #[derive(Args)]
 pub(super) struct Arguments {
     /// How many random cases, beside those of the other generators
-    #[arg(long, value_name = "N", default_value_t = Request::DEFAULT_CASES, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true)]
     cases: usize,
     /// Seed of the random cases
     #[arg(long, value_name = "S", default_value_t = 1, env = "CHATTERCHECK_SEED", allow_negative_numbers = true)]
@@ -48,14 +48,14 @@ pub(super) struct Arguments {
     quiet: bool,
 }
 
-pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
+pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let panel = match &arguments.oracles {
         Some(list) => panel::select(list)?,
         None => panel::default(),
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let partition = partition(&arguments.partition)?;
-    if arguments.cases > Request::MOST_CASES {
+    if arguments.cases > Selection::MOST_CASES {
         return Err(Invalid::new("cases", arguments.cases, "at most 1000000").into());
     }
     if panel.len() < 2 {
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
     arguments.files.check()?;
-    let cases = run::cases(&Request { cases: arguments.cases, seed: arguments.seed, partition });
+    let cases = run::cases(&Selection { cases: arguments.cases, seed: arguments.seed, partition });
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Verdict> {
     if let Err(error) = write_replays(&panel, &judges, &report, &failures, &arguments.replays) {
         eprintln!("chattercheck: no replay files: {error:#}");
     }
-    Ok(if report.passes() { Verdict::Well } else { Verdict::Disagreed })
+    Ok(if report.passes() { Status::Well } else { Status::Disagreed })
 }
 
 /// `all`, or how many cases are run for one that is judged.
@@ -109,18 +109,18 @@ fn progress(length: u64, quiet: bool) -> ProgressBar {
     }
 }
 
-/// The oracles that a replay asks: those of the fault, and one to compare with.
-fn concerned(oracles: &[String], fault: &Fault) -> Vec<String> {
-    let of_fault = |oracle: &&String| fault.oracles().contains(&oracle.as_str());
-    let other = oracles.iter().find(|oracle| !of_fault(oracle));
-    let needed = if fault.oracles().len() < 2 { other } else { None };
-    oracles.iter().filter(of_fault).chain(needed).cloned().collect()
+/// The oracles that a replay asks: those of the finding, and one to compare with.
+fn concerned(oracles: &[String], finding: &Finding) -> Vec<String> {
+    let of_finding = |oracle: &&String| finding.oracles().contains(&oracle.as_str());
+    let other = oracles.iter().find(|oracle| !of_finding(oracle));
+    let needed = if finding.oracles().len() < 2 { other } else { None };
+    oracles.iter().filter(of_finding).chain(needed).cloned().collect()
 }
 
 /// How many failures are shrunk and written.
 const MOST_REPLAYS: usize = 10;
 
-/// Shrinks the first fault of the first failures and writes each to a file.
+/// Shrinks the first finding of the first failures and writes each to a file.
 fn write_replays(
     panel: &[&dyn Oracle],
     judges: &Judges,
@@ -132,13 +132,13 @@ fn write_replays(
         .par_iter()
         .take(MOST_REPLAYS)
         .filter_map(|failure| {
-            let (case, fault) = shrink(panel, judges, &failure.named.case, failure.faults.first()?);
+            let (case, finding) = shrink(panel, judges, &failure.named.case, failure.findings.first()?);
             Some(Replay::new(
                 &case,
-                &fault,
+                &finding,
                 failure.named.to_string(),
                 report.seed,
-                &concerned(&report.oracles, &fault),
+                &concerned(&report.oracles, &finding),
             ))
         })
         .collect();
@@ -148,7 +148,7 @@ fn write_replays(
     for (number, replay) in (1..).zip(&replays) {
         let path = folder.join(format!("seed-{}-{number}.toml", report.seed));
         fs::write(&path, replay.to_text()?).with_context(|| format!("cannot write {}", path.display()))?;
-        eprintln!("shrunk: {}\n  run again: chattercheck replay {}", replay.fault, path.display());
+        eprintln!("shrunk: {}\n  run again: chattercheck replay {}", replay.finding, path.display());
     }
     Ok(())
 }

@@ -1,24 +1,24 @@
-//! The smallest size at which a mistake turns the gate red.
+//! The smallest size at which a fault turns the gate red.
 
 use contract::Invalid;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    Mistake, Size,
+    Fault, Size,
     gate::{Evidence, Gate},
 };
 
-/// How far below its natural size a mistake is followed, in powers of ten. A mistake that is still seen there is seen at any size.
+/// How far below its natural size a fault is followed, in powers of ten. A fault that is still seen there is seen at any size.
 const DECADES: i32 = 60;
 
 /// The bisection ends when red and green are this close, as a ratio.
 const PRECISION: f64 = 1.1;
 
-/// What was found out about a mistake: a row of the table.
+/// What was found out about a fault: a row of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
-    /// The mistake's name.
+    /// The fault's name.
     pub fault: &'static str,
     /// What goes wrong in a simulator that has it.
     pub what: &'static str,
@@ -26,7 +26,7 @@ pub struct Row {
     pub oracle: String,
     /// What its size measures.
     pub size: &'static str,
-    /// Its size when it is really made; for mistakes at one impact, the deepest that was tried.
+    /// Its size when it is really made; for faults at one impact, the deepest that was tried.
     pub natural: Option<f64>,
     /// The smallest size at which the gate is red.
     pub smallest: Smallest,
@@ -34,7 +34,7 @@ pub struct Row {
     pub caught_by: Option<String>,
 }
 
-/// The smallest size at which a mistake is seen.
+/// The smallest size at which a fault is seen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Smallest {
@@ -47,64 +47,64 @@ pub enum Smallest {
     EveryDepth,
     /// It is there, and it is seen.
     Seen,
-    /// The gate stays green at the natural size: the mistake escapes.
+    /// The gate stays green at the natural size: the fault escapes.
     Escapes,
     /// The gate stays green when it is made at these impacts.
     EscapesAt(Vec<usize>),
 }
 
 impl Row {
-    /// Whether the gate is blind to the mistake where it is really made.
+    /// Whether the gate is blind to the fault where it is really made.
     pub fn escapes(&self) -> bool {
         matches!(self.smallest, Smallest::Escapes | Smallest::EscapesAt(_))
     }
 }
 
-/// Looks for the floor of every mistake, on all threads.
+/// Looks for the floor of every fault, on all threads.
 ///
 /// # Errors
-/// When a mistake is planted in an oracle that the gate lacks.
-pub fn table(gate: &Gate, mistakes: &[Mistake], done: impl Fn() + Sync) -> Result<Vec<Row>, Invalid> {
-    mistakes
+/// When a fault is planted in an oracle that the gate lacks.
+pub fn table(gate: &Gate, faults: &[Fault], done: impl Fn() + Sync) -> Result<Vec<Row>, Invalid> {
+    faults
         .par_iter()
-        .map(|mistake| {
-            let row = row(gate, mistake);
+        .map(|fault| {
+            let row = row(gate, fault);
             done();
             row
         })
         .collect()
 }
 
-fn row(gate: &Gate, mistake: &Mistake) -> Result<Row, Invalid> {
-    let (size, natural, (smallest, evidence)) = match mistake.size {
-        Size::Amount { meaning, natural } => (meaning, Some(natural), amount(gate, mistake, natural)?),
+fn row(gate: &Gate, fault: &Fault) -> Result<Row, Invalid> {
+    let (size, natural, (smallest, evidence)) = match fault.size {
+        Size::Amount { meaning, natural } => (meaning, Some(natural), amount(gate, fault, natural)?),
         Size::Depth(followers) => {
-            let deepest = gate.depth(&mistake.oracle).saturating_sub(followers);
-            ("impact", Some(deepest as f64), depths(gate, mistake, deepest)?)
+            let deepest = gate.depth(&fault.oracle).saturating_sub(followers);
+            ("impact", Some(deepest as f64), depths(gate, fault, deepest)?)
         }
         Size::Whole => (
             "",
             None,
-            match gate.detects(mistake, 1.0, None)? {
+            match gate.detects(fault, 1.0, None)? {
                 Some(found) => (Smallest::Seen, Some(found)),
                 None => (Smallest::Escapes, None),
             },
         ),
     };
-    let Mistake { name, what, oracle, .. } = mistake.clone();
+    let Fault { name, what, oracle, .. } = fault.clone();
     Ok(Row { fault: name, what, oracle, size, natural, smallest, caught_by: evidence.map(|evidence| evidence.by) })
 }
 
 /// Down from the natural size by powers of ten until the gate is green, and then between the last two.
-fn amount(gate: &Gate, mistake: &Mistake, natural: f64) -> Result<(Smallest, Option<Evidence>), Invalid> {
-    let Some(mut evidence) = gate.detects(mistake, natural, None)? else {
+fn amount(gate: &Gate, fault: &Fault, natural: f64) -> Result<(Smallest, Option<Evidence>), Invalid> {
+    let Some(mut evidence) = gate.detects(fault, natural, None)? else {
         return Ok((Smallest::Escapes, None));
     };
     let mut red = natural;
     let mut green = None;
     for _ in 0..DECADES {
         let smaller = 0.1 * red;
-        match gate.detects(mistake, smaller, Some(&evidence))? {
+        match gate.detects(fault, smaller, Some(&evidence))? {
             Some(found) => (red, evidence) = (smaller, found),
             None => {
                 green = Some(smaller);
@@ -113,29 +113,29 @@ fn amount(gate: &Gate, mistake: &Mistake, natural: f64) -> Result<(Smallest, Opt
         }
     }
     let Some(mut green) = green else {
-        return Ok((Smallest::Any(red), gate.detects(mistake, red, None)?));
+        return Ok((Smallest::Any(red), gate.detects(fault, red, None)?));
     };
     while red > PRECISION * green {
         let middle = (red * green).sqrt();
-        match gate.detects(mistake, middle, Some(&evidence))? {
+        match gate.detects(fault, middle, Some(&evidence))? {
             Some(found) => (red, evidence) = (middle, found),
             None => green = middle,
         }
     }
     // Once more without a hint, so that the evidence does not depend on the threads.
-    Ok((Smallest::Amount(red), gate.detects(mistake, red, None)?))
+    Ok((Smallest::Amount(red), gate.detects(fault, red, None)?))
 }
 
 /// Every depth.
-fn depths(gate: &Gate, mistake: &Mistake, deepest: usize) -> Result<(Smallest, Option<Evidence>), Invalid> {
+fn depths(gate: &Gate, fault: &Fault, deepest: usize) -> Result<(Smallest, Option<Evidence>), Invalid> {
     let mut last = None;
     let mut missed = Vec::new();
     for depth in 1..=deepest {
-        match gate.detects(mistake, depth as f64, last.as_ref())? {
+        match gate.detects(fault, depth as f64, last.as_ref())? {
             Some(found) => last = Some(found),
             None => missed.push(depth),
         }
     }
-    let shown = gate.detects(mistake, 1.0, None)?;
+    let shown = gate.detects(fault, 1.0, None)?;
     Ok((if missed.is_empty() { Smallest::EveryDepth } else { Smallest::EscapesAt(missed) }, shown))
 }

@@ -3,15 +3,15 @@
 use contract::{Invalid, Model, Oracle};
 use rayon::prelude::*;
 
-use super::{Mistake, plant::Planted, remember::Remembering};
+use super::{Fault, plant::Planted, remember::Remembering};
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        examine::{Examination, Fault, examine_answers},
+        examine::{Examination, Finding, examine_answers},
         judge::Judges,
         ladder,
         report::{Report, Tally},
-        run::{self, Failure, Request},
+        run::{self, Failure, Selection},
     },
     measure::asking::{Answer, ask},
     panel::{self, Panel, SERIES},
@@ -45,7 +45,7 @@ const EVERY: [(Generator, usize); 4] =
 impl Gate {
     /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 40 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
-        let all = run::cases(&Request { cases: RANDOM, seed, partition: (1, 1) });
+        let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) });
         let of = |(generator, every)| {
             all.iter().filter(move |named| named.generator == generator).step_by(every).cloned().collect::<Vec<_>>()
         };
@@ -77,17 +77,17 @@ impl Gate {
         lists.filter_map(|answer| Some(answer.observed()?.history.impacts.len())).max().unwrap_or(0)
     }
 
-    /// Whether the gate is red with a mistake of this size, and what made it so. What the `hint` says gave it away before is tried first; with
+    /// Whether the gate is red with a fault of this size, and what made it so. What the `hint` says gave it away before is tried first; with
     /// one, it is not said which of several cases it is.
     ///
     /// # Errors
-    /// When there is no oracle of the mistake's name.
-    pub fn detects(&self, mistake: &Mistake, size: f64, hint: Option<&Evidence>) -> Result<Option<Evidence>, Invalid> {
-        let names = || Invalid::new("oracle", &mistake.oracle, "the name of an oracle of the panel");
+    /// When there is no oracle of the fault's name.
+    pub fn detects(&self, fault: &Fault, size: f64, hint: Option<&Evidence>) -> Result<Option<Evidence>, Invalid> {
+        let names = || Invalid::new("oracle", &fault.oracle, "the name of an oracle of the panel");
         let (place, honest) =
-            self.oracles.iter().enumerate().find(|(_, oracle)| oracle.name() == mistake.oracle).ok_or_else(names)?;
-        let inner: &dyn Oracle = if mistake.plant.keeps_the_question() { honest } else { honest.oracle.as_ref() };
-        let planted = Planted { honest: inner, plant: mistake.plant, size };
+            self.oracles.iter().enumerate().find(|(_, oracle)| oracle.name() == fault.oracle).ok_or_else(names)?;
+        let inner: &dyn Oracle = if fault.plant.keeps_the_question() { honest } else { honest.oracle.as_ref() };
+        let planted = Planted { honest: inner, plant: fault.plant, size };
         let panel: Vec<&dyn Oracle> = self
             .oracles
             .iter()
@@ -182,15 +182,15 @@ impl Seen<'_> {
     /// The first thing that is wrong: the observable or law, and the other oracle.
     fn evidence(&self) -> Option<Evidence> {
         let name = |place: usize| self.examination.answers.get(place).map(|answer| answer.oracle.as_str());
-        let fault = self.examination.faults().into_iter().next()?;
-        let (other, by) = match &fault {
-            Fault::Law { breach, .. } => (Some(self.place), format!("law: {}", breach.law.says())),
-            Fault::Pair { oracles: [one, two], disagreement } => {
+        let finding = self.examination.findings().into_iter().next()?;
+        let (other, by) = match &finding {
+            Finding::Law { breach, .. } => (Some(self.place), format!("law: {}", breach.law.says())),
+            Finding::Pair { oracles: [one, two], disagreement } => {
                 let other = if name(self.place) == Some(one) { two } else { one };
                 let place = self.examination.answers.iter().position(|answer| &answer.oracle == other);
                 (place, format!("{} against {other}", disagreement.observable))
             }
-            Fault::Refuted { disagreement, .. } => {
+            Finding::Refuted { disagreement, .. } => {
                 (Some(self.place), format!("{} by the judge", disagreement.observable))
             }
         };

@@ -1,8 +1,8 @@
-//! Planted faults: mistakes that simulators of rocking really make, each planted in one oracle of the panel to see that the gate turns red,
-//! and how small the mistake may get before it no longer does.
+//! Faults: mistakes that simulators of rocking really make, each planted in one oracle of the panel to see that the gate turns red,
+//! and how small the fault may get before it no longer does.
 //!
-//! - The [`catalogue`] lists the mistakes.
-//! - A mistake is planted ([`plant`]) by tampering with what an oracle is asked or what it answers; or, where it sits inside of a method, by
+//! - The [`catalogue`] lists the faults.
+//! - A fault is planted ([`plant`]) by tampering with what an oracle is asked or what it answers; or, where it sits inside of a method, by
 //!   putting a [`specimen`] (or, for the series, a [`recursion`]) that makes it in the place of the oracle, under its name and with its claims.
 //! - The [`gate`] is that of `verify`, on a fixed set of cases, with the answers of the honest oracles kept.
 //! - The [`floor`] is the smallest size at which the gate is red.
@@ -19,7 +19,7 @@ use plant::Plant;
 
 /// A planted fault.
 #[derive(Debug, Clone)]
-pub struct Mistake {
+pub struct Fault {
     /// A short name.
     pub name: &'static str,
     /// What goes wrong in a simulator that has it, in a sentence.
@@ -32,18 +32,18 @@ pub struct Mistake {
     pub plant: Plant,
 }
 
-/// What the size of a mistake means.
+/// What the size of a fault means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Size {
     /// An amount, which can get as small as one likes.
     Amount {
         /// What it measures, and in what unit.
         meaning: &'static str,
-        /// What it is when the mistake is really made; 1 for a term that is left out.
+        /// What it is when the fault is really made; 1 for a term that is left out.
         natural: f64,
     },
     /// The number of the impact at which it happens. Every one is tried that at least so many impacts follow.
     Depth(usize),
-    /// The mistake is there or it is not.
+    /// The fault is there or it is not.
     Whole,
 }

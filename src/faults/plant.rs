@@ -1,4 +1,4 @@
-//! How a mistake gets into an oracle.
+//! How a fault gets into an oracle.
 
 use contract::{Case, Decline, History, Invalid, Model, Oracle, Sensitivity};
 
@@ -7,7 +7,7 @@ use super::{
     specimen::{self, Wrong},
 };
 
-/// One way to plant a mistake of a given size.
+/// One way to plant a fault of a given size.
 #[derive(Debug, Clone, Copy)]
 pub enum Plant {
     /// The oracle is asked another case: a wrong parameter.
@@ -16,9 +16,9 @@ pub enum Plant {
     Answer(fn(&Case, f64, &mut History)),
     /// The oracle declines some cases.
     Refusal(fn(&Case) -> bool),
-    /// A [`specimen`] that makes the mistake takes the place of the closed form.
+    /// A [`specimen`] that makes the fault takes the place of the closed form.
     Stepper(fn(f64) -> Wrong),
-    /// A [`recursion`] that makes the mistake takes the place of the series.
+    /// A [`recursion`] that makes the fault takes the place of the series.
     Series(fn(f64) -> Lost),
 }
 
@@ -29,11 +29,11 @@ impl Plant {
     }
 }
 
-/// An oracle with a mistake in it. It goes by the name of the honest one.
+/// An oracle with a fault in it. It goes by the name of the honest one.
 pub struct Planted<'a> {
     /// The honest oracle.
     pub honest: &'a dyn Oracle,
-    /// How the mistake is planted.
+    /// How the fault is planted.
     pub plant: Plant,
     /// How large it is.
     pub size: f64,
@@ -51,7 +51,7 @@ impl Oracle for Planted<'_> {
     fn history(&self, case: &Case) -> Result<History, Decline> {
         match self.plant {
             Plant::Question(ask) => {
-                // A parameter that the mistake pushes out of its range is refused, as the honest oracle would.
+                // A parameter that the fault pushes out of its range is refused, as the honest oracle would.
                 let asked = ask(case, self.size).map_err(|_| Decline::Unsupported { what: "a case out of range" })?;
                 self.honest.history(&asked)
             }

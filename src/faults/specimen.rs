@@ -3,7 +3,7 @@
 //!
 //! A flight is followed in local time `s` as the distance from the base, `u = i φ`, by its Taylor series: with `g = -1 - i f`, Eq. 4 is
 //! `u'' = κ u + g`, `κ = 1`, so each derivative follows from the last but one. The printed solution, Eq. 6, is the same function:
-//! a mistake `ΔA`, `ΔB` in the coefficients of Eq. 10 adds `ΔA e^-s + ΔB e^s` to `φ`, which is to start with `Δφ = ΔA + ΔB` and
+//! a fault `ΔA`, `ΔB` in the coefficients of Eq. 10 adds `ΔA e^-s + ΔB e^s` to `φ`, which is to start with `Δφ = ΔA + ΔB` and
 //! `Δφ' = ΔB - ΔA`.
 
 mod flight;
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
 
-use flight::{Flight, Outcome};
+use flight::{Flight, Landfall};
 use forcing::Excitation;
 
 /// The specimen's claims, in those of the closed form. It rounds a little more often.
@@ -92,10 +92,10 @@ fn follow(case: &Case, wrong: &Wrong, honest: &History) -> (Vec<Impact>, Ending)
         let phase_time = time.plus(wrong.origin - wrong.stale * last);
         let flight = Flight { excitation: &excitation, wrong, side, time: phase_time, speed: speed.value() };
         let landing = match flight.land(horizon - time.value()) {
-            Outcome::Landing(landing) => landing,
-            Outcome::Aloft => return (impacts, beyond),
-            Outcome::Overturned => return (impacts, Ending::Overturned),
-            Outcome::FellThrough => return (impacts, Ending::Lost(Loss::FellThrough)),
+            Landfall::Landing(landing) => landing,
+            Landfall::Aloft => return (impacts, beyond),
+            Landfall::Overturned => return (impacts, Ending::Overturned),
+            Landfall::FellThrough => return (impacts, Ending::Lost(Loss::FellThrough)),
         };
         time = time.plus(landing.interval);
         if time.value() >= horizon || (case.horizon() == Horizon::HalfPeriod && excitation.half(time).1 <= 0.0) {

@@ -25,13 +25,13 @@ pub struct Comparison {
     pub vacuous: usize,
     /// Whether the chattering times were compared, and if so, not in name only.
     pub chattering_time: Option<bool>,
-    /// The verdict.
-    pub verdict: Verdict,
+    /// The agreement.
+    pub agreement: Agreement,
 }
 
-/// The verdict on a pair and a case.
+/// The agreement on a pair and a case.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum Agreement {
     /// Everything was within what is allowed.
     Agree,
     /// Something was not. What came after it is poisoned and was not judged.
@@ -105,8 +105,13 @@ impl Slack<'_> {
 pub fn compare(case: &Case, first: &Observed, second: &Observed, slack: Slack) -> Comparison {
     let (mine, theirs) = (&first.history.impacts, &second.history.impacts);
     let common = mine.len().min(theirs.len());
-    let mut comparison =
-        Comparison { worst: BTreeMap::new(), impacts: 0, vacuous: 0, chattering_time: None, verdict: Verdict::Agree };
+    let mut comparison = Comparison {
+        worst: BTreeMap::new(),
+        impacts: 0,
+        vacuous: 0,
+        chattering_time: None,
+        agreement: Agreement::Agree,
+    };
     for n in 1..=common {
         comparison.impacts += 1;
         let time = first.at(Observable::ImpactTime, n).map_or(0.0, |time| time.value);
@@ -117,14 +122,14 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, slack: Slack) -
             comparison.note(observable, figure);
             if !figure.is_allowed() {
                 let poisoned = common - n;
-                comparison.verdict = Verdict::Disagree(Disagreement { observable, figure, values, poisoned });
+                comparison.agreement = Agreement::Disagree(Disagreement { observable, figure, values, poisoned });
                 return comparison;
             }
         }
         comparison.vacuous += usize::from(wide);
     }
-    comparison.verdict = endings(case, first, second, slack, common);
-    if comparison.verdict != Verdict::Agree {
+    comparison.agreement = endings(case, first, second, slack, common);
+    if comparison.agreement != Agreement::Agree {
         return comparison;
     }
     if let (Some(mine), Some(theirs)) = (first.chattering_time, second.chattering_time) {
@@ -136,7 +141,7 @@ pub fn compare(case: &Case, first: &Observed, second: &Observed, slack: Slack) -
         comparison.chattering_time = Some(!is_wide(figure.allowed, mine.value));
         comparison.note(Observable::ChatteringTime, figure);
         if !figure.is_allowed() {
-            comparison.verdict = Verdict::Disagree(Disagreement {
+            comparison.agreement = Agreement::Disagree(Disagreement {
                 observable: Observable::ChatteringTime,
                 figure,
                 values: [format!("{:?}", mine.value), format!("{:?}", theirs.value)],
@@ -184,10 +189,10 @@ fn figure(
 }
 
 /// Whether two endings say the same, and the lists are of the length that they imply.
-fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, common: usize) -> Verdict {
+fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, common: usize) -> Agreement {
     let disagree = || {
         let describe = |o: &Observed| format!("{} after {} impacts", o.history.ending, o.history.impacts.len());
-        Verdict::Disagree(Disagreement {
+        Agreement::Disagree(Disagreement {
             observable: Observable::Ending,
             figure: Figure { impact: common + 1, difference: f64::INFINITY, allowed: 0.0 },
             values: [describe(first), describe(second)],
@@ -210,8 +215,8 @@ fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, commo
             .zip(last(second))
             .is_some_and(|((mine, time), (theirs, _))| time_left_is_within(mine + theirs, time));
         return match (same, too_close) {
-            (true, _) => Verdict::Agree,
-            (false, true) => Verdict::TooClose,
+            (true, _) => Agreement::Agree,
+            (false, true) => Agreement::TooClose,
             (false, false) => disagree(),
         };
     };
@@ -229,8 +234,8 @@ fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, commo
         Ending::NeverRocks | Ending::LimitReached(Limit::Impacts) => false,
     };
     match (explained, same) {
-        (true, true) => Verdict::Agree,
-        (true, false) => Verdict::TooClose,
+        (true, true) => Agreement::Agree,
+        (true, false) => Agreement::TooClose,
         (false, _) => disagree(),
     }
 }

@@ -5,13 +5,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     gate::{
-        compare::{Comparison, Disagreement, Slack, Verdict, compare},
+        compare::{Agreement, Comparison, Disagreement, Slack, compare},
         endings,
         judge::Judgement,
-        laws::{self, Breach, Findings, Law},
+        laws::{self, Breach, Checked, Law},
     },
     measure::{
-        asking::{Answer, Outcome, ask},
+        asking::{Answer, Reply, ask},
         conditioning::Conditioning,
         model_gap::ModelGap,
     },
@@ -22,15 +22,15 @@ pub struct Examination {
     /// The answers, in the order of the panel.
     pub answers: Vec<Answer>,
     /// What the laws say of each answer.
-    pub findings: Vec<Findings>,
+    pub checked: Vec<Checked>,
     /// Every pair of answers, by their places in the panel.
-    pub pairs: Vec<(usize, usize, PairOutcome)>,
+    pub pairs: Vec<(usize, usize, Pairing)>,
     /// What the judge says, where it was asked.
     pub judgements: Vec<Judgement>,
 }
 
 /// What came out of a pair.
-pub enum PairOutcome {
+pub enum Pairing {
     /// The two histories were compared.
     Compared(Comparison),
     /// One of them gave no history to compare.
@@ -42,7 +42,7 @@ pub enum PairOutcome {
 /// One thing that is wrong with a case: what a red gate has to show.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Fault {
+pub enum Finding {
     /// Two oracles disagree.
     Pair {
         /// Their names.
@@ -81,20 +81,20 @@ pub fn examine_answers(
     answers: Vec<Answer>,
     wanted: impl Fn(usize, usize) -> bool,
 ) -> Examination {
-    let findings = answers
+    let checked = answers
         .iter()
         .enumerate()
-        .map(|(place, answer)| match &answer.outcome {
-            _ if !wanted(place, place) => Findings::default(),
-            Outcome::Observed(observed) => {
-                let findings = laws::check(case, answer.model, observed);
-                let breach = findings.breach.or_else(|| endings::breach(panel, case, &answers, place));
-                Findings { breach, ..findings }
+        .map(|(place, answer)| match &answer.reply {
+            _ if !wanted(place, place) => Checked::default(),
+            Reply::Observed(observed) => {
+                let checked = laws::check(case, answer.model, observed);
+                let breach = checked.breach.or_else(|| endings::breach(panel, case, &answers, place));
+                Checked { breach, ..checked }
             }
-            Outcome::Declined(_) => Findings::default(),
-            Outcome::Panicked(message) => {
+            Reply::Declined(_) => Checked::default(),
+            Reply::Panicked(message) => {
                 let how = format!("panicked: {message}");
-                Findings { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ratio: None }
+                Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ratio: None }
             }
         })
         .collect();
@@ -106,7 +106,7 @@ pub fn examine_answers(
             pairs.push((i, j, pair(case, first, second, Slack { conditioning: &conditioning, gap: gap.as_ref() })));
         }
     }
-    Examination { answers, findings, pairs, judgements: Vec::new() }
+    Examination { answers, checked, pairs, judgements: Vec::new() }
 }
 
 /// The gap between the models on this case, by the first linear oracle that has a history. `None` if no pair needs it, or there is none.
@@ -120,16 +120,16 @@ fn model_gap(panel: &[&dyn Oracle], answers: &[Answer], case: &Case) -> Option<M
     ModelGap::new(*oracle, case, answer.observed()?).ok().flatten()
 }
 
-fn pair(case: &Case, first: &Answer, second: &Answer, slack: Slack) -> PairOutcome {
+fn pair(case: &Case, first: &Answer, second: &Answer, slack: Slack) -> Pairing {
     let (Some(mine), Some(theirs)) = (first.observed(), second.observed()) else {
-        return PairOutcome::Absent;
+        return Pairing::Absent;
     };
     match (first.model, second.model, slack.gap) {
-        (one, two, _) if one == two => PairOutcome::Compared(compare(case, mine, theirs, Slack { gap: None, ..slack })),
-        (_, _, None) => PairOutcome::Incomparable(why_incomparable(case)),
+        (one, two, _) if one == two => Pairing::Compared(compare(case, mine, theirs, Slack { gap: None, ..slack })),
+        (_, _, None) => Pairing::Incomparable(why_incomparable(case)),
         // The gap scales the velocities of the nonlinear one, which is the second.
-        (Model::Linear, _, _) => PairOutcome::Compared(compare(case, mine, theirs, slack)),
-        (Model::Nonlinear, _, _) => PairOutcome::Compared(compare(case, theirs, mine, slack)),
+        (Model::Linear, _, _) => Pairing::Compared(compare(case, mine, theirs, slack)),
+        (Model::Nonlinear, _, _) => Pairing::Compared(compare(case, theirs, mine, slack)),
     }
 }
 
@@ -142,21 +142,21 @@ fn why_incomparable(case: &Case) -> &'static str {
 
 impl Examination {
     /// Everything that is wrong, laws and the judge first: a disagreement is often explained by them.
-    pub fn faults(&self) -> Vec<Fault> {
+    pub fn findings(&self) -> Vec<Finding> {
         let name = |place: usize| self.answers.get(place).map_or_else(String::new, |answer| answer.oracle.clone());
         let laws =
-            self.findings.iter().enumerate().filter_map(|(place, finding)| {
-                Some(Fault::Law { oracle: name(place), breach: finding.breach.clone()? })
+            self.checked.iter().enumerate().filter_map(|(place, checked)| {
+                Some(Finding::Law { oracle: name(place), breach: checked.breach.clone()? })
             });
         let pairs = self.pairs.iter().filter_map(|(i, j, outcome)| match outcome {
-            PairOutcome::Compared(Comparison { verdict: Verdict::Disagree(disagreement), .. }) => {
-                Some(Fault::Pair { oracles: [name(*i), name(*j)], disagreement: disagreement.clone() })
+            Pairing::Compared(Comparison { agreement: Agreement::Disagree(disagreement), .. }) => {
+                Some(Finding::Pair { oracles: [name(*i), name(*j)], disagreement: disagreement.clone() })
             }
             _ => None,
         });
         let refuted = self.judgements.iter().filter_map(|Judgement { place, judge, refuted, .. }| {
             let disagreement = refuted.clone()?;
-            Some(Fault::Refuted { oracle: name(*place), judge: judge.clone(), disagreement })
+            Some(Finding::Refuted { oracle: name(*place), judge: judge.clone(), disagreement })
         });
         laws.chain(refuted).chain(pairs).collect()
     }
@@ -169,14 +169,14 @@ impl Examination {
 
     /// The answers that are declines.
     pub fn declines(&self) -> impl Iterator<Item = (&str, &Decline)> {
-        self.answers.iter().filter_map(|answer| match &answer.outcome {
-            Outcome::Declined(decline) => Some((answer.oracle.as_str(), decline)),
+        self.answers.iter().filter_map(|answer| match &answer.reply {
+            Reply::Declined(decline) => Some((answer.oracle.as_str(), decline)),
             _ => None,
         })
     }
 }
 
-impl Fault {
+impl Finding {
     /// The names of the oracles that it is about.
     pub fn oracles(&self) -> Vec<&str> {
         match self {
@@ -198,7 +198,7 @@ impl Fault {
         matches!(self, Self::Law { breach, .. } if breach.law == law)
     }
 
-    /// Whether another fault is of the same oracles and kind, so that a smaller case with it shows the same problem.
+    /// Whether another finding is of the same oracles and kind, so that a smaller case with it shows the same problem.
     pub fn resembles(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Pair { oracles: mine, .. }, Self::Pair { oracles: theirs, .. }) => mine == theirs,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        compare::{Disagreement, Slack, Verdict, compare},
+        compare::{Agreement, Disagreement, Slack, compare},
         examine::{Examination, examine},
     },
     measure::{
@@ -79,7 +79,7 @@ impl Judges<'_> {
     /// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
     pub fn examine(&self, panel: &[&dyn Oracle], case: &Case, asked: bool) -> Examination {
         let mut examination = examine(panel, case);
-        if asked || !examination.faults().is_empty() {
+        if asked || !examination.findings().is_empty() {
             examination.judgements = self.judge(case, &examination.answers, |_| true);
         }
         examination
@@ -114,9 +114,9 @@ fn judgement(place: usize, case: &Case, truth: &Observed, judge: String, answer:
         let error = (answered.value - proven.value).abs();
         calibration.add(Observable::ChatteringTime, answered.uncertainty, error, proven.uncertainty);
     }
-    let refuted = match comparison.verdict {
-        Verdict::Disagree(disagreement) => Some(disagreement),
-        Verdict::Agree | Verdict::TooClose => None,
+    let refuted = match comparison.agreement {
+        Agreement::Disagree(disagreement) => Some(disagreement),
+        Agreement::Agree | Agreement::TooClose => None,
     };
     Judgement { place, judge, refuted, calibration }
 }

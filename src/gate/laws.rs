@@ -71,7 +71,7 @@ pub struct Breach {
 
 /// What came out of checking one history against the laws.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Findings {
+pub struct Checked {
     /// The first breach, if there is one.
     pub breach: Option<Breach>,
     /// The interval ratio that used most of its allowance.
@@ -79,26 +79,26 @@ pub struct Findings {
 }
 
 /// Checks the history of an oracle that solves `model`.
-pub fn check(case: &Case, model: Model, observed: &Observed) -> Findings {
+pub fn check(case: &Case, model: Model, observed: &Observed) -> Checked {
     let history = &observed.history;
-    let mut findings = Findings { breach: form(case, history), ratio: None };
-    if findings.breach.is_none() && forcing_is_known(case, model, history) {
+    let mut checked = Checked { breach: form(case, history), ratio: None };
+    if checked.breach.is_none() && forcing_is_known(case, model, history) {
         for n in 3..=history.impacts.len() {
             let Some(figure) = interval_ratio(case, observed, n) else { continue };
-            if findings.ratio.is_none_or(|worst| figure.share() > worst.share()) {
-                findings.ratio = Some(figure);
+            if checked.ratio.is_none_or(|worst| figure.share() > worst.share()) {
+                checked.ratio = Some(figure);
             }
             if figure.share() > 1.0 {
                 let how = format!(
                     "ratio to the interval before last is off the first-order law by {:.3e}, allowed {:.3e}",
                     figure.difference, figure.allowed
                 );
-                findings.breach = Some(Breach { law: Law::IntervalRatio, impact: n, how });
+                checked.breach = Some(Breach { law: Law::IntervalRatio, impact: n, how });
                 break;
             }
         }
     }
-    findings
+    checked
 }
 
 /// The laws that need no formula of the motion.

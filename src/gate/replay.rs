@@ -8,7 +8,7 @@ use crate::{
         case_file::{self, CaseFields},
         hex_float,
     },
-    gate::{examine::Fault, report},
+    gate::{examine::Finding, report},
 };
 
 /// A stored disagreement.
@@ -24,7 +24,7 @@ pub struct Replay {
     /// The names of the oracles of that run.
     pub oracles: Vec<String>,
     /// What was seen, for the reader.
-    pub fault: String,
+    pub finding: String,
     /// The shrunk case, in decimal.
     pub case: CaseFields,
     /// The same numbers, exactly.
@@ -54,15 +54,15 @@ pub enum ReplayError {
 }
 
 impl Replay {
-    /// The replay of `fault` in `case`.
-    pub fn new(case: &Case, fault: &Fault, found_in: String, seed: u64, oracles: &[String]) -> Self {
+    /// The replay of `finding` in `case`.
+    pub fn new(case: &Case, finding: &Finding, found_in: String, seed: u64, oracles: &[String]) -> Self {
         let alpha = case.slenderness().map(|slenderness| hex_float::format(slenderness.alpha()));
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             found_in,
             seed,
             oracles: oracles.to_vec(),
-            fault: report::fault_text(fault),
+            finding: report::finding_text(finding),
             case: CaseFields::from(case),
             exact: Exact {
                 epsilon: hex_float::format(case.epsilon()),

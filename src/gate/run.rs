@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        examine::Fault,
+        examine::Finding,
         judge::Judges,
         ladder::Descent,
         report::{Report, Tally},
@@ -16,7 +16,7 @@ use crate::{
 
 /// What a run is made from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request {
+pub struct Selection {
     /// How many random cases.
     pub cases: usize,
     /// What they are made from.
@@ -25,7 +25,7 @@ pub struct Request {
     pub partition: (usize, usize),
 }
 
-impl Request {
+impl Selection {
     /// How many random cases a run may be asked for.
     pub const MOST_CASES: usize = 1_000_000;
     /// How many random cases a run has unless told otherwise.
@@ -38,20 +38,20 @@ pub struct Failure {
     /// The case.
     pub named: Named,
     /// What was wrong.
-    pub faults: Vec<Fault>,
+    pub findings: Vec<Finding>,
     /// The oracles that the judge confirmed.
     pub confirmed: Vec<String>,
 }
 
 /// The cases of a run, in order. The edge generator finds the critical amplitudes with the first oracle of the default panel, whichever
 /// panel is being verified, so that the cases do not depend on it.
-pub fn cases(request: &Request) -> Vec<Named> {
+pub fn cases(selection: &Selection) -> Vec<Named> {
     let stepper = panel::default().into_iter().next();
     let all = Generator::ALL.into_iter().flat_map(|generator| match &stepper {
-        Some(stepper) => generator.cases(request.seed, request.cases, stepper.as_ref()),
+        Some(stepper) => generator.cases(selection.seed, selection.cases, stepper.as_ref()),
         None => Vec::new(),
     });
-    let (part, parts) = request.partition;
+    let (part, parts) = selection.partition;
     all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
 }
 
@@ -72,8 +72,8 @@ pub fn run(
         .map(|(place, named)| {
             let examination = judges.examine(panel, &named.case, judges.asks(place, named));
             done();
-            let (faults, confirmed) = (examination.faults(), examination.confirmed());
-            (Tally::of(named, &examination), Failure { named: named.clone(), faults, confirmed })
+            let (findings, confirmed) = (examination.findings(), examination.confirmed());
+            (Tally::of(named, &examination), Failure { named: named.clone(), findings, confirmed })
         })
         .collect();
     let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
@@ -81,7 +81,7 @@ pub fn run(
     let mut failures = Vec::new();
     for (of_case, failure) in results {
         tally.add(of_case);
-        if !failure.faults.is_empty() {
+        if !failure.findings.is_empty() {
             failures.push(failure);
         }
     }

@@ -3,31 +3,31 @@
 use contract::{Case, Horizon, Oracle, Slenderness};
 
 use crate::gate::{
-    examine::{Fault, examine},
+    examine::{Finding, examine},
     judge::Judges,
 };
 
 /// How many candidates are tried at the most.
 const TRIES: usize = 400;
 
-/// The smallest case found that still has a fault resembling `fault`, and that fault. Smaller means: fewer impacts, no slenderness where it
+/// The smallest case found that still has a finding resembling `finding`, and that finding. Smaller means: fewer impacts, no slenderness where it
 /// does not matter, and parameters with fewer digits.
-pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, fault: &Fault) -> (Case, Fault) {
-    // Only the oracles of the fault matter, and the first of the panel, which the gap between models comes from.
+pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Finding) -> (Case, Finding) {
+    // Only the oracles of the finding matter, and the first of the panel, which the gap between models comes from.
     let concerned: Vec<&dyn Oracle> = panel
         .iter()
         .enumerate()
-        .filter(|(place, oracle)| *place == 0 || fault.oracles().contains(&oracle.name()))
+        .filter(|(place, oracle)| *place == 0 || finding.oracles().contains(&oracle.name()))
         .map(|(_, oracle)| *oracle)
         .collect();
     let fails = |case: &Case| {
-        let examination = match fault {
-            Fault::Refuted { .. } => judges.examine(&concerned, case, true),
+        let examination = match finding {
+            Finding::Refuted { .. } => judges.examine(&concerned, case, true),
             _ => examine(&concerned, case),
         };
-        examination.faults().into_iter().find(|found| found.resembles(fault))
+        examination.findings().into_iter().find(|found| found.resembles(finding))
     };
-    let mut best = (*case, fault.clone());
+    let mut best = (*case, finding.clone());
     let mut tries = 0;
     'again: while tries < TRIES {
         for candidate in smaller(&best.0, &best.1) {
@@ -43,11 +43,11 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, fault: &Fault
 }
 
 /// Cases smaller than this one, the smallest first.
-fn smaller(case: &Case, fault: &Fault) -> Vec<Case> {
+fn smaller(case: &Case, finding: &Finding) -> Vec<Case> {
     let mut candidates = Vec::new();
     let parts = Parts::of(case);
-    // No more impacts than the fault needs to show.
-    for impacts in [fault.impact(), case.max_impacts() / 2, case.max_impacts() - 1] {
+    // No more impacts than the finding needs to show.
+    for impacts in [finding.impact(), case.max_impacts() / 2, case.max_impacts() - 1] {
         if (1..case.max_impacts()).contains(&impacts) {
             candidates.extend(Parts { impacts, ..parts }.case());
         }

@@ -14,12 +14,12 @@ pub struct Answer {
     /// The equation that it solves.
     pub model: Model,
     /// What it said.
-    pub outcome: Outcome,
+    pub reply: Reply,
 }
 
 /// What an oracle said.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Outcome {
+pub enum Reply {
     /// A history.
     Observed(Observed),
     /// That it can't do the case.
@@ -30,31 +30,31 @@ pub enum Outcome {
 
 /// Asks an oracle. A panic inside a method must not take the run with it.
 pub fn ask(oracle: &dyn Oracle, case: &Case) -> Answer {
-    let outcome = match catch_unwind(AssertUnwindSafe(|| oracle.history(case))) {
-        Ok(Ok(history)) => Outcome::Observed(Observed::new(case, history)),
-        Ok(Err(decline)) => Outcome::Declined(decline),
+    let reply = match catch_unwind(AssertUnwindSafe(|| oracle.history(case))) {
+        Ok(Ok(history)) => Reply::Observed(Observed::new(case, history)),
+        Ok(Err(decline)) => Reply::Declined(decline),
         Err(payload) => {
             let text = payload.downcast_ref::<String>().map(String::as_str);
             let message = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("no message");
-            Outcome::Panicked(message.to_owned())
+            Reply::Panicked(message.to_owned())
         }
     };
-    Answer { oracle: oracle.name().to_owned(), model: oracle.model(), outcome }
+    Answer { oracle: oracle.name().to_owned(), model: oracle.model(), reply }
 }
 
 impl Answer {
     /// The history and what follows from it, if there is one.
     pub fn into_observed(self) -> Option<Observed> {
-        match self.outcome {
-            Outcome::Observed(observed) => Some(observed),
-            Outcome::Declined(_) | Outcome::Panicked(_) => None,
+        match self.reply {
+            Reply::Observed(observed) => Some(observed),
+            Reply::Declined(_) | Reply::Panicked(_) => None,
         }
     }
 
     /// The history and what follows from it, if there is one.
     pub fn observed(&self) -> Option<&Observed> {
-        match &self.outcome {
-            Outcome::Observed(observed) => Some(observed),
+        match &self.reply {
+            Reply::Observed(observed) => Some(observed),
             _ => None,
         }
     }

@@ -200,7 +200,7 @@ fn replay_files_with_something_wrong_are_refused() {
 }
 
 fn replay_text() -> String {
-    "version = \"0.1.0\"\nfound_in = \"list/x\"\nseed = 1\noracles = [\"closed-form\", \"ode/linear/tsit45\"]\nfault = \"seen once\"\n\n\
+    "version = \"0.1.0\"\nfound_in = \"list/x\"\nseed = 1\noracles = [\"closed-form\", \"ode/linear/tsit45\"]\nfinding = \"seen once\"\n\n\
      [case]\nepsilon = 0.03125\nomega = 2.0\neta = 0.92\nimpacts = 20\n\n\
      [exact]\nepsilon = \"0x1p-5\"\nomega = \"0x1p+1\"\neta = \"0x1.d70a3d70a3d71p-1\"\n"
         .to_owned()

@@ -3,7 +3,7 @@
 use chattercheck::{
     cases::generate::{Generator, Named},
     gate::{
-        compare::{Slack, Verdict, compare},
+        compare::{Agreement, Slack, compare},
         judge::Judges,
         run,
     },
@@ -283,7 +283,7 @@ fn the_allowance_is_what_rounding_the_parameters_does() {
     assert!(conditioning.at(Observable::Velocity, 40) > 20.0);
     let agrees = |shift: f64| {
         let slack = Slack { conditioning: &conditioning, gap: None };
-        compare(&case, &bare(0.0), &bare(shift), slack).verdict == Verdict::Agree
+        compare(&case, &bare(0.0), &bare(shift), slack).agreement == Agreement::Agree
     };
     assert!(agrees(0.8) && !agrees(1.2));
 }

@@ -2,7 +2,7 @@
 
 use chattercheck::{
     faults::{
-        Mistake, Size,
+        Fault, Size,
         catalogue::catalogue,
         floor::{self, Smallest},
         gate::Gate,
@@ -27,31 +27,31 @@ fn without_a_mistake_the_specimens_pass() {
     let gate = gate();
     let honest = |oracle: &str, plant: Plant| {
         let oracle = oracle.to_owned();
-        Mistake { name: "none", what: "", oracle, size: Size::Whole, plant }
+        Fault { name: "none", what: "", oracle, size: Size::Whole, plant }
     };
-    for mistake in [
+    for fault in [
         honest("closed-form", Plant::Stepper(|_| Wrong::default())),
         honest("asymptotic/paper", Plant::Series(|_| Lost::default())),
     ] {
-        let found = gate.detects(&mistake, 0.0, None).unwrap();
-        assert!(found.is_none(), "{} is not honest: {found:?}", mistake.oracle);
+        let found = gate.detects(&fault, 0.0, None).unwrap();
+        assert!(found.is_none(), "{} is not honest: {found:?}", fault.oracle);
     }
 }
 
 #[test]
 fn no_fault_escapes_at_its_natural_size() {
     let gate = gate();
-    let mistakes = catalogue(gate.oracles());
-    assert!(mistakes.len() >= 80, "{} faults", mistakes.len());
-    for mistake in &mistakes {
-        let sizes = match mistake.size {
+    let faults = catalogue(gate.oracles());
+    assert!(faults.len() >= 80, "{} faults", faults.len());
+    for fault in &faults {
+        let sizes = match fault.size {
             Size::Amount { natural, .. } => vec![natural],
             Size::Depth(_) => [1, 2, 7, 30, 59, 60, 300, 519].map(f64::from).to_vec(),
             Size::Whole => vec![1.0],
         };
         for size in sizes {
-            let found = gate.detects(mistake, size, None).unwrap();
-            assert!(found.is_some(), "\"{}\" of size {size} in {} escapes", mistake.name, mistake.oracle);
+            let found = gate.detects(fault, size, None).unwrap();
+            assert!(found.is_some(), "\"{}\" of size {size} in {} escapes", fault.name, fault.oracle);
         }
     }
 }
@@ -59,10 +59,10 @@ fn no_fault_escapes_at_its_natural_size() {
 #[test]
 fn the_finest_errors_of_the_parameters_are_seen() {
     let gate = gate();
-    let mut mistakes = catalogue(gate.oracles());
-    mistakes.retain(|mistake| mistake.oracle == "closed-form" && mistake.name.contains("is off"));
-    mistakes.retain(|mistake| ["eta", "omega", "a "].iter().any(|name| mistake.name.starts_with(name)));
-    let rows = floor::table(&gate, &mistakes, || ()).unwrap();
+    let mut faults = catalogue(gate.oracles());
+    faults.retain(|fault| fault.oracle == "closed-form" && fault.name.contains("is off"));
+    faults.retain(|fault| ["eta", "omega", "a "].iter().any(|name| fault.name.starts_with(name)));
+    let rows = floor::table(&gate, &faults, || ()).unwrap();
     assert_eq!(rows.len(), 4);
     for row in rows {
         assert!(matches!(row.smallest, Smallest::Amount(size) if size <= FINEST), "{row:?}");

@@ -3,7 +3,7 @@
 
 use chattercheck::{
     cases::generate::{Generator, Named},
-    gate::{examine::Fault, judge::Judges, ladder, laws::Law, report::Report, run},
+    gate::{examine::Finding, judge::Judges, ladder, laws::Law, report::Report, run},
     measure::observables::Observable,
     panel,
 };
@@ -77,36 +77,36 @@ fn planted(name: &str, ask: fn(&Case) -> Case, answer: fn(&Case, &mut History)) 
     run(&small_panel().into_iter().map(plant).collect::<Vec<_>>())
 }
 
-/// The faults reported for one listed case.
-fn faults_in<'a>(report: &'a Report, case: &str) -> Vec<&'a Fault> {
+/// The findings reported for one listed case.
+fn findings_in<'a>(report: &'a Report, case: &str) -> Vec<&'a Finding> {
     let failed = report.failures.iter().filter(|failure| failure.name == case);
-    failed.flat_map(|failure| &failure.faults).collect()
+    failed.flat_map(|failure| &failure.findings).collect()
 }
 
-/// The gate is red, every fault in the reference case is about `name`, and the pair with `other` shows `observable` first at `impact`.
+/// The gate is red, every finding in the reference case is about `name`, and the pair with `other` shows `observable` first at `impact`.
 fn caught(report: &Report, name: &str, other: &str, observable: Observable, impact: usize) {
     assert!(!report.passes(), "the gate stayed green");
-    let faults = faults_in(report, "list/fig-2");
-    assert!(!faults.is_empty(), "nothing was found in list/fig-2");
-    assert!(faults.iter().all(|fault| fault.oracles().contains(&name)), "{faults:#?}");
-    let found = faults.iter().any(|fault| match fault {
-        Fault::Pair { oracles, disagreement } => {
+    let findings = findings_in(report, "list/fig-2");
+    assert!(!findings.is_empty(), "nothing was found in list/fig-2");
+    assert!(findings.iter().all(|finding| finding.oracles().contains(&name)), "{findings:#?}");
+    let found = findings.iter().any(|finding| match finding {
+        Finding::Pair { oracles, disagreement } => {
             oracles.contains(&other.to_owned())
                 && disagreement.observable == observable
                 && disagreement.figure.impact == impact
         }
-        Fault::Law { .. } | Fault::Refuted { .. } => false,
+        Finding::Law { .. } | Finding::Refuted { .. } => false,
     });
-    assert!(found, "no {observable} at impact {impact} against {other}: {faults:#?}");
+    assert!(found, "no {observable} at impact {impact} against {other}: {findings:#?}");
 }
 
 fn breaks(report: &Report, name: &str, law: Law, impact: usize) {
     assert!(!report.passes(), "the gate stayed green");
-    let faults = faults_in(report, "list/fig-2");
-    let found = faults.iter().any(|fault| {
-        matches!(fault, Fault::Law { oracle, breach } if oracle == name && breach.law == law && breach.impact == impact)
+    let findings = findings_in(report, "list/fig-2");
+    let found = findings.iter().any(|finding| {
+        matches!(finding, Finding::Law { oracle, breach } if oracle == name && breach.law == law && breach.impact == impact)
     });
-    assert!(found, "{law:?} at impact {impact} is not named: {faults:#?}");
+    assert!(found, "{law:?} at impact {impact} is not named: {findings:#?}");
 }
 
 #[test]
@@ -159,7 +159,11 @@ fn slenderness_off_by_1e_4() {
     let report = planted(NONLINEAR, ask, untouched);
     caught(&report, NONLINEAR, TAYLOR, Observable::Interval, 1);
     assert!(
-        report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&NONLINEAR))
+        report
+            .failures
+            .iter()
+            .flat_map(|failure| &failure.findings)
+            .all(|finding| finding.oracles().contains(&NONLINEAR))
     );
 }
 
@@ -244,10 +248,10 @@ fn rest_declared_below_a_velocity_threshold() {
     };
     let report = planted(CLOSED, same, answer);
     assert!(!report.passes());
-    let faults = faults_in(&report, "list/fig-2");
-    assert!(faults.iter().any(|fault| matches!(
-        fault,
-        Fault::Pair { disagreement, .. } if disagreement.observable == Observable::Ending
+    let findings = findings_in(&report, "list/fig-2");
+    assert!(findings.iter().any(|finding| matches!(
+        finding,
+        Finding::Pair { disagreement, .. } if disagreement.observable == Observable::Ending
     )));
 }
 
@@ -259,13 +263,13 @@ fn incomplete_chattering_called_complete() {
         }
     };
     let report = planted(CLOSED, same, answer);
-    let faults = faults_in(&report, "list/fig-11");
+    let findings = findings_in(&report, "list/fig-11");
     assert!(
-        faults.iter().any(|fault| matches!(
-            fault,
-            Fault::Pair { oracles, disagreement } if oracles.contains(&ODE.to_owned()) && disagreement.observable == Observable::Ending
+        findings.iter().any(|finding| matches!(
+            finding,
+            Finding::Pair { oracles, disagreement } if oracles.contains(&ODE.to_owned()) && disagreement.observable == Observable::Ending
         )),
-        "{faults:#?}"
+        "{findings:#?}"
     );
 }
 
@@ -289,9 +293,12 @@ fn intervals_taken_as_differences_of_times() {
     let report = planted(CLOSED, same, answer);
     assert!(!report.passes());
     // It shows where the intervals are some 1e-5 of the time and the claims of both are 1e-11: deep down, from impact 99 on.
-    let faults = faults_in(&report, "list/fig-2-deep");
-    assert!(!faults.is_empty());
-    assert!(faults.iter().all(|fault| fault.oracles().contains(&CLOSED) && fault.impact() > 80), "{faults:#?}");
+    let findings = findings_in(&report, "list/fig-2-deep");
+    assert!(!findings.is_empty());
+    assert!(
+        findings.iter().all(|finding| finding.oracles().contains(&CLOSED) && finding.impact() > 80),
+        "{findings:#?}"
+    );
 }
 
 #[test]
@@ -313,7 +320,9 @@ fn a_series_summed_with_the_wrong_tail() {
     };
     let report = planted(SERIES, same, answer);
     assert!(!report.failures.is_empty());
-    assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&SERIES)));
+    assert!(
+        report.failures.iter().flat_map(|failure| &failure.findings).all(|finding| finding.oracles().contains(&SERIES))
+    );
 }
 
 #[test]
@@ -325,7 +334,9 @@ fn a_claim_that_is_too_small() {
     };
     let report = planted(ODE, same, answer);
     assert!(!report.failures.is_empty());
-    assert!(report.failures.iter().flat_map(|failure| &failure.faults).all(|fault| fault.oracles().contains(&ODE)));
+    assert!(
+        report.failures.iter().flat_map(|failure| &failure.findings).all(|finding| finding.oracles().contains(&ODE))
+    );
 }
 
 #[test]
@@ -392,10 +403,10 @@ fn rest_declared_wherever_the_list_ends() {
     let ode = panel::select(ODE).unwrap().swap_remove(0);
     let cases = [Named { generator: Generator::List, name: "short".to_owned(), case }];
     let (report, _) = run::run(&[faulty.as_ref(), ode.as_ref()], &Judges::default(), &cases, 0, None, || ());
-    let fault = &report.failures[0].faults[0];
+    let finding = &report.failures[0].findings[0];
     assert!(
-        matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::RestStays),
-        "{fault:?}"
+        matches!(finding, Finding::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::RestStays),
+        "{finding:?}"
     );
 }
 
@@ -407,11 +418,11 @@ fn incomplete_chattering_called_overturned() {
         }
     };
     let report = planted(CLOSED, same, answer);
-    let faults = faults_in(&report, "list/fig-11");
-    let found = faults.iter().any(|fault| {
-        matches!(fault, Fault::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::OverturnedStays)
+    let findings = findings_in(&report, "list/fig-11");
+    let found = findings.iter().any(|finding| {
+        matches!(finding, Finding::Law { oracle, breach } if oracle == CLOSED && breach.law == Law::OverturnedStays)
     });
-    assert!(found, "{faults:#?}");
+    assert!(found, "{findings:#?}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use chattercheck::{
     cases::generate::{Generator, Named},
     faults::plant::{Plant, Planted},
     gate::{
-        examine::Fault,
+        examine::Finding,
         judge::Judges,
         ladder,
         report::{self, Report},
@@ -36,15 +36,15 @@ fn with_faulty(answer: fn(&Case, f64, &mut History)) -> Report {
 }
 
 fn refuted(report: &Report) -> Vec<&str> {
-    let faults = report.failures.iter().flat_map(|failure| &failure.faults);
-    faults
-        .filter_map(|fault| if let Fault::Refuted { oracle, .. } = fault { Some(oracle.as_str()) } else { None })
+    let findings = report.failures.iter().flat_map(|failure| &failure.findings);
+    findings
+        .filter_map(|finding| if let Finding::Refuted { oracle, .. } = finding { Some(oracle.as_str()) } else { None })
         .collect()
 }
 
 #[test]
 fn claims_are_calibrated() {
-    let cases = run::cases(&run::Request { cases: 60, seed: 5, partition: (1, 1) });
+    let cases = run::cases(&run::Selection { cases: 60, seed: 5, partition: (1, 1) });
     let cases: Vec<Named> = cases.into_iter().step_by(4).collect();
     let panel = panel::default();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
@@ -82,7 +82,7 @@ fn a_claim_below_the_true_error_is_refuted_though_every_oracle_agrees() {
         }
     });
     assert_eq!(refuted(&report), ["closed-form"]);
-    assert!(report.failures[0].faults.iter().all(|fault| matches!(fault, Fault::Refuted { .. })));
+    assert!(report.failures[0].findings.iter().all(|finding| matches!(finding, Finding::Refuted { .. })));
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn a_wrong_ending_is_refuted() {
 
 #[test]
 fn claims_that_are_far_too_wide_fall_short() {
-    let cases = run::cases(&run::Request { cases: 40, seed: 5, partition: (1, 4) });
+    let cases = run::cases(&run::Selection { cases: 40, seed: 5, partition: (1, 4) });
     let closed_form = panel::default().swap_remove(0);
     let wider = Plant::Answer(|_, factor, history| {
         for impact in &mut history.impacts {
@@ -111,7 +111,7 @@ fn claims_that_are_far_too_wide_fall_short() {
 
 #[test]
 fn only_a_sample_is_judged_unless_something_is_wrong() {
-    let cases = run::cases(&run::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let cases = run::cases(&run::Selection { cases: 4, seed: 5, partition: (1, 8) });
     let judges = panel::judges();
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
@@ -160,7 +160,7 @@ impl Oracle for Silent {
 fn a_judge_that_says_nothing_falls_short() {
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let cases = run::cases(&run::Request { cases: 4, seed: 5, partition: (1, 8) });
+    let cases = run::cases(&run::Selection { cases: 4, seed: 5, partition: (1, 8) });
     let judges = Judges { oracles: vec![&Silent], every: 2 };
     let report = run::run(&panel, &judges, &cases, 0, Some(Vec::new()), || ()).0;
     assert!(report.judged.asked >= cases.len() / 2 && report.judged.cases == 0);

@@ -2,7 +2,7 @@
 
 use chattercheck::{
     gate::{
-        compare::{Slack, Verdict, compare},
+        compare::{Agreement, Slack, compare},
         judge::{Calibration, Judges},
         tolerance,
     },
@@ -245,7 +245,7 @@ proptest! {
         prop_assert_eq!((corrected.ending, corrected.impacts.len()), (solved.ending, solved.impacts.len()));
         let slack = Slack { conditioning: &Conditioning::default(), gap: None };
         let comparison = compare(&case, &Observed::new(&case, corrected), &Observed::new(&case, solved), slack);
-        prop_assert_eq!(comparison.verdict, Verdict::Agree);
+        prop_assert_eq!(comparison.agreement, Agreement::Agree);
     }
 }
 

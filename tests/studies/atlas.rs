@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use chattercheck::studies::{
-    atlas::{AtlasRow, CHARTS, Request, Tables, methods},
+    atlas::{AtlasRow, CHARTS, Scope, Tables, methods},
     chart::Table,
 };
 
@@ -11,7 +11,7 @@ const DISTANCES: [f64; 5] = [0.5, 1e-3, -1e-3, -0.1, -0.5];
 
 fn small() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();
-    let request = Request { omega: 2.0, etas: vec![0.92], distances: DISTANCES.to_vec() };
+    let request = Scope { omega: 2.0, etas: vec![0.92], distances: DISTANCES.to_vec() };
     TABLES.get_or_init(|| Tables::measure(&request, || ()).unwrap())
 }
 

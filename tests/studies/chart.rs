@@ -5,12 +5,12 @@ use std::{collections::BTreeSet, sync::OnceLock};
 use assert_cmd::Command;
 use chattercheck::studies::{
     chart::Table,
-    work_precision::{CHARTS, Request, WorkRow, files, measure, read},
+    work_precision::{CHARTS, Scope, WorkRow, files, measure, read},
 };
 
 fn small() -> &'static [WorkRow] {
     static ROWS: OnceLock<Vec<WorkRow>> = OnceLock::new();
-    let request = Request { percents: vec![(50.0, 80)], patience: 0.0, ..Request::default() };
+    let request = Scope { percents: vec![(50.0, 80)], patience: 0.0, ..Scope::default() };
     ROWS.get_or_init(|| measure(&request, || ()).unwrap())
 }
 
@@ -64,7 +64,7 @@ fn what_the_enclosure_proves_gets_narrower_with_its_digits() {
 /// Everything but the seconds is the same in every run.
 #[test]
 fn only_the_seconds_change() {
-    let request = Request { percents: vec![(50.0, 80)], patience: 0.0, ..Request::default() };
+    let request = Scope { percents: vec![(50.0, 80)], patience: 0.0, ..Scope::default() };
     let timeless =
         |rows: &[WorkRow]| -> Vec<WorkRow> { rows.iter().map(|row| WorkRow { seconds: 0.0, ..row.clone() }).collect() };
     assert_eq!(timeless(&measure(&request, || ()).unwrap()), timeless(small()));

@@ -4,11 +4,11 @@ use std::sync::OnceLock;
 
 use assert_cmd::Command;
 use chattercheck::studies::chart::Table;
-use chattercheck::studies::diagnose::{CHARTS, Request, Tables};
+use chattercheck::studies::diagnose::{CHARTS, Scope, Tables};
 
 fn small() -> &'static Tables {
     static TABLES: OnceLock<Tables> = OnceLock::new();
-    TABLES.get_or_init(|| Tables::measure(&Request { omega: 2.0, etas: vec![0.8, 0.92], grid: 2 }, || ()).unwrap())
+    TABLES.get_or_init(|| Tables::measure(&Scope { omega: 2.0, etas: vec![0.8, 0.92], grid: 2 }, || ()).unwrap())
 }
 
 /// The claims that the captions make, on two restitutions.

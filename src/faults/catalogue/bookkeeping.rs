@@ -2,14 +2,14 @@
 
 use contract::History;
 
-use super::{Mistake, amount, whole};
+use super::{Fault, amount, whole};
 use crate::faults::plant::Plant::Answer;
 
 /// Half the spacing of single precision numbers at 1, and of doubles.
 const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
 const DOUBLE: f64 = f64::EPSILON / 2.0;
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     const ROUNDING: &str = "unit round-off of the clock";
     vec![
         amount(

@@ -2,7 +2,7 @@
 
 use contract::{Estimate, History, Uncertainty};
 
-use super::{Mistake, amount, whole, within};
+use super::{Fault, amount, whole, within};
 use crate::faults::plant::Plant::Answer;
 
 const ODE: &str = "ode/linear/tsit45";
@@ -15,7 +15,7 @@ fn scale(history: &mut History, factor: f64) {
     }
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     let all = vec![
         amount(
             "claims too small",
@@ -60,5 +60,5 @@ pub(super) fn all() -> Vec<Mistake> {
             }),
         ),
     ];
-    all.into_iter().map(|mistake| within(ODE, mistake)).collect()
+    all.into_iter().map(|fault| within(ODE, fault)).collect()
 }

@@ -2,14 +2,14 @@
 
 use contract::{Ending, Limit, Loss};
 
-use super::{Mistake, amount, whole};
+use super::{Fault, amount, whole};
 use crate::faults::plant::Plant::{Answer, Refusal};
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     [thresholds(), verdicts(), lengths()].concat()
 }
 
-fn thresholds() -> Vec<Mistake> {
+fn thresholds() -> Vec<Fault> {
     vec![
         amount(
             "velocity threshold",
@@ -38,7 +38,7 @@ fn thresholds() -> Vec<Mistake> {
     ]
 }
 
-fn verdicts() -> Vec<Mistake> {
+fn verdicts() -> Vec<Fault> {
     vec![
         whole(
             "incomplete called complete",
@@ -98,7 +98,7 @@ fn verdicts() -> Vec<Mistake> {
     ]
 }
 
-fn lengths() -> Vec<Mistake> {
+fn lengths() -> Vec<Fault> {
     vec![
         whole(
             "one impact too few",

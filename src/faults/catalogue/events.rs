@@ -2,11 +2,11 @@
 
 use contract::{Case, History};
 
-use super::{Mistake, amount, at_depth, between, whole, within};
+use super::{Fault, amount, at_depth, between, whole, within};
 use crate::faults::plant::Plant::Answer;
 
 /// What has to be seen in every oracle.
-pub(super) fn everywhere(oracle: &str) -> Vec<Mistake> {
+pub(super) fn everywhere(oracle: &str) -> Vec<Fault> {
     let all = [
         at_depth("missed impact", "The block falls through its base and lands at the next impact", Answer(missed)),
         at_depth(
@@ -20,10 +20,10 @@ pub(super) fn everywhere(oracle: &str) -> Vec<Mistake> {
             Answer(missed_pair),
         ),
     ];
-    all.into_iter().map(|mistake| within(oracle, mistake)).collect()
+    all.into_iter().map(|fault| within(oracle, fault)).collect()
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     vec![
         between("extra impact", "The start of a flight is found as an impact again", Answer(extra)),
         between("grazing impact counted", "A flight that nearly touches is cut in two", Answer(grazing)),

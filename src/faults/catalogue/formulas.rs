@@ -1,6 +1,6 @@
 //! Terms of Eqs 4, 8, 10, 12 and 13 that are lost or wrong, and mistakes in following a flight.
 
-use super::{Mistake, amount, whole};
+use super::{Fault, amount, whole};
 use crate::faults::{
     plant::Plant::Stepper,
     specimen::{Terms, Wrong},
@@ -21,11 +21,11 @@ fn of_b(b: Terms) -> Wrong {
     Wrong { b, ..honest() }
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     [terms(), forcing(), flights()].concat()
 }
 
-fn terms() -> Vec<Mistake> {
+fn terms() -> Vec<Fault> {
     vec![
         amount(
             "Eq. 10: A_n lacks Xi",
@@ -103,7 +103,7 @@ fn terms() -> Vec<Mistake> {
     ]
 }
 
-fn forcing() -> Vec<Mistake> {
+fn forcing() -> Vec<Fault> {
     vec![
         amount(
             "Eq. 8: no particular solution",
@@ -164,7 +164,7 @@ fn forcing() -> Vec<Mistake> {
     ]
 }
 
-fn flights() -> Vec<Mistake> {
+fn flights() -> Vec<Fault> {
     vec![
         amount(
             "Eq. 68 taken for exact",

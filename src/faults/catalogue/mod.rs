@@ -1,4 +1,4 @@
-//! The mistakes, by kind.
+//! The faults, by kind.
 
 mod bookkeeping;
 mod claims;
@@ -12,19 +12,19 @@ mod tail;
 
 use contract::Model;
 
-use super::{Mistake, Size, plant::Plant};
+use super::{Fault, Size, plant::Plant};
 use crate::panel::SERIES;
 
-/// The oracle that the specimen stands in for, and in which most mistakes are planted: it claims the least error, so that it is the others
+/// The oracle that the specimen stands in for, and in which most faults are planted: it claims the least error, so that it is the others
 /// that have to be good enough to see them.
 const STEPPER: &str = "closed-form";
 
-/// The oracle for mistakes in what only the nonlinear model has.
+/// The oracle for faults in what only the nonlinear model has.
 const NONLINEAR: &str = "taylor";
 
-/// Every mistake, for a gate with these oracles: those that have to be seen in each oracle, once for each; the rest where their oracle is
+/// Every fault, for a gate with these oracles: those that have to be seen in each oracle, once for each; the rest where their oracle is
 /// among them.
-pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Mistake> {
+pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Fault> {
     let oracles: Vec<(&str, Model)> = oracles.collect();
     let names = || oracles.iter().map(|(name, _)| *name);
     let everywhere = names().flat_map(|name| [parameters::everywhere(name), events::everywhere(name)]).flatten();
@@ -39,29 +39,29 @@ pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Mis
         slenderness::all(),
         series::all(),
     ];
-    let mut mistakes: Vec<Mistake> = everywhere.chain(once.into_iter().flatten()).collect();
-    mistakes.retain(|mistake| names().any(|name| name == mistake.oracle));
-    mistakes
+    let mut faults: Vec<Fault> = everywhere.chain(once.into_iter().flatten()).collect();
+    faults.retain(|fault| names().any(|name| name == fault.oracle));
+    faults
 }
 
-fn amount(name: &'static str, what: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Mistake {
-    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Amount { meaning, natural }, plant }
+fn amount(name: &'static str, what: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Fault {
+    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Amount { meaning, natural }, plant }
 }
 
-fn at_depth(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
-    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Depth(0), plant }
+fn at_depth(name: &'static str, what: &'static str, plant: Plant) -> Fault {
+    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Depth(0), plant }
 }
 
-/// A mistake that is only one if another impact follows.
-fn between(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
-    Mistake { size: Size::Depth(1), ..at_depth(name, what, plant) }
+/// A fault that is only one if another impact follows.
+fn between(name: &'static str, what: &'static str, plant: Plant) -> Fault {
+    Fault { size: Size::Depth(1), ..at_depth(name, what, plant) }
 }
 
-fn whole(name: &'static str, what: &'static str, plant: Plant) -> Mistake {
-    Mistake { name, what, oracle: STEPPER.to_owned(), size: Size::Whole, plant }
+fn whole(name: &'static str, what: &'static str, plant: Plant) -> Fault {
+    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Whole, plant }
 }
 
-/// The same mistake in another oracle.
-fn within(oracle: &str, mistake: Mistake) -> Mistake {
-    Mistake { oracle: oracle.to_owned(), ..mistake }
+/// The same fault in another oracle.
+fn within(oracle: &str, fault: Fault) -> Fault {
+    Fault { oracle: oracle.to_owned(), ..fault }
 }

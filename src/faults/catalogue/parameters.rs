@@ -2,7 +2,7 @@
 
 use contract::{Case, Invalid};
 
-use super::{Mistake, amount, within};
+use super::{Fault, amount, within};
 use crate::faults::plant::Plant;
 
 /// The case with other numbers.
@@ -13,7 +13,7 @@ fn with(case: &Case, epsilon: f64, omega: f64, eta: f64) -> Result<Case, Invalid
 }
 
 /// What has to be seen in every oracle.
-pub(super) fn everywhere(oracle: &str) -> Vec<Mistake> {
+pub(super) fn everywhere(oracle: &str) -> Vec<Fault> {
     const RELATIVE: &str = "relative error";
     let all = [
         amount(
@@ -33,7 +33,7 @@ pub(super) fn everywhere(oracle: &str) -> Vec<Mistake> {
         ),
         amount("a is off", "The amplitude is rounded or mistyped", RELATIVE, 1e-3, Plant::Question(amplitude_off)),
     ];
-    all.into_iter().map(|mistake| within(oracle, mistake)).collect()
+    all.into_iter().map(|fault| within(oracle, fault)).collect()
 }
 
 fn eta_off(case: &Case, size: f64) -> Result<Case, Invalid> {
@@ -52,7 +52,7 @@ fn amplitude_off_where_strong(case: &Case, size: f64) -> Result<Case, Invalid> {
     if case.epsilon() > 1e-3 { amplitude_off(case, size) } else { Ok(*case) }
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     vec![
         amount(
             "restitution twice",

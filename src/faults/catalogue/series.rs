@@ -1,6 +1,6 @@
 //! Terms of the perturbation series that are lost (Eqs 31, 57, 60, 62 and 65).
 
-use super::{Mistake, SERIES, amount, within};
+use super::{Fault, SERIES, amount, within};
 use crate::faults::{plant::Plant::Series, recursion::Lost};
 
 const SHARE: &str = "share of the term that is lost";
@@ -9,7 +9,7 @@ fn none() -> Lost {
     Lost::default()
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     let all = vec![
         amount(
             "Eq. 31: T_0;1 is off",
@@ -103,5 +103,5 @@ pub(super) fn all() -> Vec<Mistake> {
             Series(|s| Lost { odd: s, ..none() }),
         ),
     ];
-    all.into_iter().map(|mistake| within(SERIES, mistake)).collect()
+    all.into_iter().map(|fault| within(SERIES, fault)).collect()
 }

@@ -2,7 +2,7 @@
 
 use contract::{Case, Invalid, Normalisation, Slenderness};
 
-use super::{Mistake, NONLINEAR, amount, whole, within};
+use super::{Fault, NONLINEAR, amount, whole, within};
 use crate::faults::plant::Plant::{Answer, Question};
 
 /// The case with a slenderness angle of another size.
@@ -19,7 +19,7 @@ fn amplitude(case: &Case, factor: f64) -> Result<Case, Invalid> {
     new.with_max_impacts(case.max_impacts())?.with_horizon(case.horizon())
 }
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     let all = vec![
         whole(
             "swapped normalisation",
@@ -66,7 +66,7 @@ pub(super) fn all() -> Vec<Mistake> {
             }),
         ),
     ];
-    let ladder = Mistake {
+    let ladder = Fault {
         name: "alpha is off where it is small",
         what: "Within the gap between the models, but it does not fall as alpha^2",
         ..amount(
@@ -77,5 +77,5 @@ pub(super) fn all() -> Vec<Mistake> {
             Question(|case, size| angle(case, |alpha| if alpha < 0.03 { alpha * (1.0 + size) } else { alpha })),
         )
     };
-    all.into_iter().chain([ladder]).map(|mistake| within(NONLINEAR, mistake)).collect()
+    all.into_iter().chain([ladder]).map(|fault| within(NONLINEAR, fault)).collect()
 }

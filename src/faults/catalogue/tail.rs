@@ -2,10 +2,10 @@
 
 use contract::{Case, Ending, Estimate, History};
 
-use super::{Mistake, amount, whole};
+use super::{Fault, amount, whole};
 use crate::{faults::plant::Plant::Answer, measure::zeno};
 
-pub(super) fn all() -> Vec<Mistake> {
+pub(super) fn all() -> Vec<Fault> {
     vec![
         amount(
             "tail ratio eta",

@@ -19,7 +19,7 @@ pub(super) struct Flight<'a> {
 }
 
 /// How it ends.
-pub(super) enum Outcome {
+pub(super) enum Landfall {
     Landing(Landing),
     Aloft,
     Overturned,
@@ -32,14 +32,14 @@ pub(super) struct Landing {
     /// The speed that it lands with...
     speed: f64,
     /// ...and, if the flight was short, by how much that is less than the speed of departure, free of cancellation.
-    gain: Option<f64>,
+    loss: Option<f64>,
 }
 
 impl Landing {
     /// The landing speed of a flight that left with `departure`.
     pub(super) fn speed(&self, departure: Sum) -> Sum {
-        match self.gain {
-            Some(gain) => departure.plus(-gain),
+        match self.loss {
+            Some(loss) => departure.plus(-loss),
             None => Sum { high: self.speed, low: 0.0 },
         }
     }
@@ -47,7 +47,7 @@ impl Landing {
 
 impl Flight<'_> {
     /// Follows the flight to the first time at which it comes down through the base, for `horizon` at the longest.
-    pub(super) fn land(&self, horizon: f64) -> Outcome {
+    pub(super) fn land(&self, horizon: f64) -> Landfall {
         let Self { excitation, wrong, side, .. } = *self;
         let reach = 1.0 / excitation.omega.max(1.0);
         let (stiffness, squared) = (1.0 - wrong.stiffness, excitation.omega * excitation.omega);
@@ -62,29 +62,29 @@ impl Flight<'_> {
                 let exact = flown.high == 0.0 && start == (0.0, self.speed);
                 let (_, rate) = piece.at(landed_at);
                 let (_, rate_in_time) = piece.at(s);
-                return Outcome::Landing(Landing {
+                return Landfall::Landing(Landing {
                     interval: flown.plus(landed_at).value(),
                     speed: -rate,
-                    gain: exact.then(|| piece.gain(s) + (rate - rate_in_time)),
+                    loss: exact.then(|| piece.loss(s) + (rate - rate_in_time)),
                 });
             }
             let (rotation, velocity) = piece.at(reach);
             (time, flown) = (time.plus(reach), flown.plus(reach));
             // u + u' grows from there on whatever the forcing does.
             if rotation + velocity > 1.0 + excitation.amplitude || (wrong.brittle && rotation > 1.0) {
-                return Outcome::Overturned;
+                return Landfall::Overturned;
             }
             if flown.value() > horizon {
-                return if above { Outcome::Aloft } else { Outcome::FellThrough };
+                return if above { Landfall::Aloft } else { Landfall::FellThrough };
             }
             if !(rotation.is_finite() && velocity.is_finite()) || rotation < -1e3 {
-                return Outcome::FellThrough;
+                return Landfall::FellThrough;
             }
             piece = Piece::new((rotation, velocity), stiffness, squared, excitation.pull(side, time).pull);
         }
     }
 
-    /// `u` and `u'` at the start: `0` and the speed, and what the mistakes in Eq. 10 add.
+    /// `u` and `u'` at the start: `0` and the speed, and what the faults in Eq. 10 add.
     fn start(&self) -> (f64, f64) {
         let Wrong { a, b, lift, .. } = self.wrong;
         let Pull { forcing: (f, rate), .. } = self.excitation.pull(self.side, self.time);
@@ -131,7 +131,7 @@ impl Piece {
     }
 
     /// `u' + v` at the impact, where `u = 0`: what is left of `u' - 2u/s`.
-    fn gain(&self, s: f64) -> f64 {
+    fn loss(&self, s: f64) -> f64 {
         let terms = self.coefficients.iter().enumerate().skip(3).rev();
         terms.fold(0.0, |sum, (k, c)| sum * s + (k - 2) as f64 * c) * s * s
     }
@@ -146,7 +146,7 @@ impl Piece {
                 return Some(self.root(low, s));
             }
             *above = value > 0.0;
-            // Numbers that a mistake has made zero, or no numbers, get nowhere.
+            // Numbers that a fault has made zero, or no numbers, get nowhere.
             if s >= reach || s <= 0.0 || s.is_nan() {
                 return None;
             }

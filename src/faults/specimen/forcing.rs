@@ -4,13 +4,13 @@ use contract::Case;
 
 use super::{Sum, Wrong};
 
-/// `f = a sin(ωτ + ψ)` as `cos ωτ + q sin ωτ`, `q = a cos ψ` (Eq. 24), and the mistakes in it.
+/// `f = a sin(ωτ + ψ)` as `cos ωτ + q sin ωτ`, `q = a cos ψ` (Eq. 24), and the faults in it.
 pub(super) struct Excitation {
     pub omega: f64,
     pub amplitude: f64,
     /// `a cos ψ`.
     quadrature: f64,
-    /// What the mistakes in Eq. 8 multiply the forcing by.
+    /// What the faults in Eq. 8 multiply the forcing by.
     scale: f64,
     /// What is left of its derivatives in a flight.
     change: f64,

@@ -59,10 +59,10 @@ fn every_observable_is_compared_in_its_own_scale() {
             change(&mut second.history.impacts[n - 1], share * by);
             compared(&first, &second)
         };
-        assert_eq!(with(0.999).verdict, Verdict::Agree, "{observable}");
+        assert_eq!(with(0.999).agreement, Agreement::Agree, "{observable}");
         let share = with(0.999).worst[&observable].share();
         assert!((share - 0.999).abs() < 1e-3 && share < 1.0, "{observable}: {share}");
-        let Verdict::Disagree(found) = with(1.001).verdict else { panic!("{observable} is not compared") };
+        let Agreement::Disagree(found) = with(1.001).agreement else { panic!("{observable} is not compared") };
         assert_eq!((found.observable, found.figure.impact, found.poisoned), (observable, n, 3 - n));
         assert_eq!(with(1.001).impacts, n);
     }
@@ -74,7 +74,7 @@ fn every_observable_is_compared_in_its_own_scale() {
         let mut second = first.clone();
         second.chattering_time = Some(Estimate { value: 2.0 + off, uncertainty: 1.0 / 64.0 });
         let comparison = compared(&first, &second);
-        assert_eq!(comparison.verdict == Verdict::Agree, agrees, "{off}");
+        assert_eq!(comparison.agreement == Agreement::Agree, agrees, "{off}");
         let figure = comparison.worst[&Observable::ChatteringTime];
         assert!((figure.difference - off.abs()).abs() < 1e-15 && figure.allowed == claim, "{figure:?}");
     }
@@ -141,7 +141,7 @@ fn slack_is_a_rounding_of_the_parameters_and_the_gap() {
         impact.velocity *= 0.2f64.sin() / 0.2;
     }
     let comparison = compare(&case, &observed, &nonlinear, slack);
-    assert_eq!(comparison.verdict, Verdict::Agree);
+    assert_eq!(comparison.agreement, Agreement::Agree);
     assert!(comparison.worst[&Observable::Velocity].difference < 1e-15);
     assert_eq!(stepper.model(), Model::Linear);
 }
@@ -157,7 +157,7 @@ fn a_derivative_is_allowed_a_rounding_of_its_parameter() {
 }
 
 /// Lists of these lengths that end like this, every claim 1/64, the last impacts of the longer at `late` from the horizon at 4.
-fn ended(first: (Ending, usize), second: (Ending, usize), late: f64) -> Verdict {
+fn ended(first: (Ending, usize), second: (Ending, usize), late: f64) -> Agreement {
     let of = |(ending, count): (Ending, usize)| {
         let impacts = (0..count).map(|n| {
             let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
@@ -166,15 +166,15 @@ fn ended(first: (Ending, usize), second: (Ending, usize), late: f64) -> Verdict 
         let history = History { impacts: impacts.collect(), ending, chattering_time: None };
         Observed { history, chattering_time: None }
     };
-    match compared(&of(first), &of(second)).verdict {
-        Verdict::Disagree(found) => {
+    match compared(&of(first), &of(second)).agreement {
+        Agreement::Disagree(found) => {
             assert_eq!((found.observable, found.figure.impact), (Observable::Ending, first.1.min(second.1) + 1));
             assert_eq!((found.figure.difference, found.figure.allowed), (f64::INFINITY, 0.0));
             let said = |(ending, count): (Ending, usize)| format!("{ending} after {count} impacts");
             assert_eq!(found.values, [said(first), said(second)]);
-            Verdict::Disagree(found)
+            Agreement::Disagree(found)
         }
-        verdict => verdict,
+        agreement => agreement,
     }
 }
 
@@ -185,10 +185,10 @@ fn which_endings_go_together() {
         (Ending::AtRest, Ending::LimitReached(Limit::Time), Ending::LimitReached(Limit::Impacts));
     let (incomplete, over, never) = (Ending::Incomplete, Ending::Overturned, Ending::NeverRocks);
     let lost = Ending::Lost(Loss::Stalled);
-    let is = |verdict: Verdict| match verdict {
-        Verdict::Agree => 'a',
-        Verdict::TooClose => 'c',
-        Verdict::Disagree(_) => 'd',
+    let is = |agreement: Agreement| match agreement {
+        Agreement::Agree => 'a',
+        Agreement::TooClose => 'c',
+        Agreement::Disagree(_) => 'd',
     };
     // Far from the horizon, and with the third impact, at 4 - late, within what the claims allow of it.
     for (first, second, far, near) in [
@@ -220,13 +220,16 @@ fn which_endings_go_together() {
         assert_eq!(is(ended(second, first, 1.0 / 128.0)), near, "{second:?} {first:?}, near");
     }
     // What is left of the time may be as long as both claims, and no longer: the extra impact's and that of the last of the other list.
-    for (late, verdict) in [(1.0 / 32.0 - 2.0 / 1024.0, 'a'), (1.0 / 32.0, 'a'), (1.0 / 32.0 + 1e-9, 'd')] {
-        assert_eq!(is(ended((incomplete, 2), (incomplete, 3), late - 1.0 / 1024.0)), verdict, "{late}");
-        assert_eq!(is(ended((rest, 3), (incomplete, 3), late - 1.0 / 1024.0)), if verdict == 'a' { 'c' } else { 'd' });
+    for (late, agreement) in [(1.0 / 32.0 - 2.0 / 1024.0, 'a'), (1.0 / 32.0, 'a'), (1.0 / 32.0 + 1e-9, 'd')] {
+        assert_eq!(is(ended((incomplete, 2), (incomplete, 3), late - 1.0 / 1024.0)), agreement, "{late}");
+        assert_eq!(
+            is(ended((rest, 3), (incomplete, 3), late - 1.0 / 1024.0)),
+            if agreement == 'a' { 'c' } else { 'd' }
+        );
     }
     // Without an impact before it only its own claim counts: the first of three is 3/1024 before 4 - late.
-    for (late, verdict) in [(1.0 / 64.0, 'a'), (1.0 / 64.0 + 1e-9, 'd')] {
-        assert_eq!(is(ended((incomplete, 0), (incomplete, 1), late - 3.0 / 1024.0)), verdict, "{late}");
+    for (late, agreement) in [(1.0 / 64.0, 'a'), (1.0 / 64.0 + 1e-9, 'd')] {
+        assert_eq!(is(ended((incomplete, 0), (incomplete, 1), late - 3.0 / 1024.0)), agreement, "{late}");
     }
 }
 
@@ -238,7 +241,7 @@ fn a_list_of_rest_may_end_where_nothing_is_left_to_resolve() {
         longer.history.impacts[1].interval = interval;
         let mut shorter = longer.clone();
         shorter.history.impacts.truncate(2);
-        assert_eq!(compared(&longer, &shorter).verdict == Verdict::Agree, explained, "{interval:e}");
+        assert_eq!(compared(&longer, &shorter).agreement == Agreement::Agree, explained, "{interval:e}");
     }
 }
 

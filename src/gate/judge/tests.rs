@@ -110,7 +110,7 @@ fn answers_are_judged_by_the_judge_of_their_model_and_only_where_they_are_wanted
     let judges = Judges { oracles: vec![oracle], every: 1 };
     let answer = ask(oracle, &case);
     let mut wrong = answer.clone();
-    if let crate::measure::asking::Outcome::Observed(observed) = &mut wrong.outcome {
+    if let crate::measure::asking::Reply::Observed(observed) = &mut wrong.reply {
         observed.history.impacts[4].velocity *= 1.001;
     }
     let mut other = answer.clone();
@@ -133,7 +133,7 @@ fn answers_are_judged_by_the_judge_of_their_model_and_only_where_they_are_wanted
     assert!(figures.values().all(|figure| figure.smallest == 2.0));
     assert_eq!((figures[&Interval].numbers, figures[&ChatteringTime].numbers), (60, 1));
     // A thousandth against the claim, relative.
-    let crate::measure::asking::Outcome::Observed(observed) = &answers[2].outcome else { panic!("no history") };
+    let crate::measure::asking::Reply::Observed(observed) = &answers[2].reply else { panic!("no history") };
     let claim = observed.history.impacts[4].uncertainty.velocity;
     let smallest = found[1].calibration.figures()[&Velocity].smallest;
     assert!((smallest / (claim / 0.001) - 1.0).abs() < 1e-9, "{smallest}");

@@ -14,8 +14,8 @@ use crate::{
         generate::{Generator, Named},
     },
     gate::{
-        compare::{Comparison, Figure, Verdict},
-        examine::{Examination, Fault, PairOutcome},
+        compare::{Agreement, Comparison, Figure},
+        examine::{Examination, Finding, Pairing},
         judge::{Calibration, ClaimOverError},
         ladder::Descent,
         run::Failure,
@@ -26,7 +26,7 @@ use crate::{
 };
 
 pub use junit::junit;
-pub use text::{failure_text, fault_text, text};
+pub use text::{failure_text, finding_text, text};
 
 /// The whole report. It holds no times and no names of machines: the same seed gives the same report, on any number of threads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -137,7 +137,7 @@ pub struct FailedCase {
     /// Its parameters.
     pub case: CaseFields,
     /// What was wrong.
-    pub faults: Vec<Fault>,
+    pub findings: Vec<Finding>,
     /// The oracles whose answers the judge confirmed.
     #[serde(default)]
     pub confirmed: Vec<String>,
@@ -187,8 +187,8 @@ impl Tally {
         for (oracle, decline) in examination.declines() {
             *tally.declines.entry(oracle.to_owned()).or_default().entry(decline.reason().to_owned()).or_default() += 1;
         }
-        for (answer, finding) in examination.answers.iter().zip(&examination.findings) {
-            if let Some(figure) = finding.ratio {
+        for (answer, checked) in examination.answers.iter().zip(&examination.checked) {
+            if let Some(figure) = checked.ratio {
                 tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
             }
         }
@@ -207,14 +207,14 @@ impl Tally {
             };
             let pair = tally.pairs.entry((*i, *j)).or_default();
             match outcome {
-                PairOutcome::Absent => pair.absent = 1,
-                PairOutcome::Incomparable(why) => {
+                Pairing::Absent => pair.absent = 1,
+                Pairing::Incomparable(why) => {
                     pair.incomparable.insert((*why).to_owned(), 1);
                 }
-                PairOutcome::Compared(comparison) => {
+                Pairing::Compared(comparison) => {
                     pair.add_comparison(named, comparison);
                     let deepest = interval(*i, comparison.impacts);
-                    if comparison.verdict == Verdict::Agree && comparison.vacuous == 0 {
+                    if comparison.agreement == Agreement::Agree && comparison.vacuous == 0 {
                         tally.reach.deepest_interval = smaller(tally.reach.deepest_interval, deepest);
                     }
                 }
@@ -259,14 +259,14 @@ impl Pair {
         self.vacuous = comparison.vacuous;
         self.chattering_times = usize::from(comparison.chattering_time.is_some());
         self.vacuous_times = usize::from(comparison.chattering_time == Some(false));
-        match comparison.verdict {
-            Verdict::Agree => {
+        match comparison.agreement {
+            Agreement::Agree => {
                 for (&observable, &figure) in &comparison.worst {
                     self.worst.insert(observable, WorstFigure::new(named, figure));
                 }
             }
-            Verdict::TooClose => self.too_close = 1,
-            Verdict::Disagree(_) => self.disagreements = 1,
+            Agreement::TooClose => self.too_close = 1,
+            Agreement::Disagree(_) => self.disagreements = 1,
         }
     }
 
@@ -321,7 +321,7 @@ impl Pair {
 }
 
 impl Judged {
-    /// What is wrong with the claims as a whole. A claim that is too small is a fault of its case.
+    /// What is wrong with the claims as a whole. A claim that is too small is a finding of its case.
     fn shortfalls(&self) -> impl Iterator<Item = String> {
         let (asked, cases) = (self.asked, self.cases);
         let silent = (cases as f64) < tolerance::JUDGED.value * asked as f64;
@@ -392,7 +392,7 @@ impl Report {
             .map(|failure| FailedCase {
                 name: failure.named.to_string(),
                 case: CaseFields::from(&failure.named.case),
-                faults: failure.faults.clone(),
+                findings: failure.findings.clone(),
                 confirmed: failure.confirmed.clone(),
             })
             .collect();

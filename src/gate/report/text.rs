@@ -7,7 +7,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use super::{FailedCase, Report, WorstFigure};
 use crate::{
     cases::case_file,
-    gate::{examine::Fault, laws::Law},
+    gate::{examine::Finding, laws::Law},
     measure::observables::Observable,
 };
 
@@ -72,7 +72,7 @@ pub fn text(report: &Report) -> String {
     }
     for law in Law::ALL {
         let broken =
-            report.failures.iter().filter(|failure| failure.faults.iter().any(|fault| fault.breaks(law))).count();
+            report.failures.iter().filter(|failure| failure.findings.iter().any(|finding| finding.breaks(law))).count();
         let held = if broken == 0 { "holds in every history".to_owned() } else { format!("BROKEN in {broken} cases") };
         line(&mut out, &format!("{}: {held}", law.says()));
     }
@@ -203,21 +203,21 @@ pub fn failure_text(failure: &FailedCase) -> String {
     if let Ok(case) = failure.case.case() {
         let _ = write!(out, "\n  {}", case_file::flags(&case));
     }
-    for fault in &failure.faults {
-        let _ = write!(out, "\n  {}", fault_text(fault));
+    for finding in &failure.findings {
+        let _ = write!(out, "\n  {}", finding_text(finding));
     }
     if !failure.confirmed.is_empty() {
         let _ = write!(out, "\n  the judge confirms {}", failure.confirmed.join(", "));
     }
-    if let Some(suspect) = suspect(&failure.faults) {
+    if let Some(suspect) = suspect(&failure.findings) {
         let _ = write!(out, "\n  in every failing pair: {suspect}");
     }
     out
 }
 
 /// The one oracle that is in all of several failing pairs.
-fn suspect(faults: &[Fault]) -> Option<&str> {
-    let pairs: Vec<Vec<&str>> = faults.iter().map(Fault::oracles).filter(|oracles| oracles.len() == 2).collect();
+fn suspect(findings: &[Finding]) -> Option<&str> {
+    let pairs: Vec<Vec<&str>> = findings.iter().map(Finding::oracles).filter(|oracles| oracles.len() == 2).collect();
     let mut in_all = pairs.first()?.iter().filter(|oracle| pairs.iter().all(|pair| pair.contains(oracle)));
     match (pairs.len(), in_all.next(), in_all.next()) {
         (2.., Some(oracle), None) => Some(oracle),
@@ -225,10 +225,10 @@ fn suspect(faults: &[Fault]) -> Option<&str> {
     }
 }
 
-/// One fault in one line: who, what, where first, and by how much.
-pub fn fault_text(fault: &Fault) -> String {
-    match fault {
-        Fault::Pair { oracles: [one, two], disagreement } => {
+/// One finding in one line: who, what, where first, and by how much.
+pub fn finding_text(finding: &Finding) -> String {
+    match finding {
+        Finding::Pair { oracles: [one, two], disagreement } => {
             let figure = disagreement.figure;
             let place = if figure.impact > 0 { format!(", first at impact {}", figure.impact) } else { String::new() };
             let [mine, theirs] = &disagreement.values;
@@ -246,7 +246,7 @@ pub fn fault_text(fault: &Fault) -> String {
                 disagreement.observable
             )
         }
-        Fault::Refuted { oracle, judge, disagreement } => {
+        Finding::Refuted { oracle, judge, disagreement } => {
             let figure = disagreement.figure;
             let place = if figure.impact > 0 { format!(", first at impact {}", figure.impact) } else { String::new() };
             let [proven, answered] = &disagreement.values;
@@ -260,7 +260,7 @@ pub fn fault_text(fault: &Fault) -> String {
                 disagreement.observable
             )
         }
-        Fault::Law { oracle, breach } => {
+        Finding::Law { oracle, breach } => {
             let place = if breach.impact > 0 { format!(" at impact {}", breach.impact) } else { String::new() };
             format!("{oracle} breaks \"{}\"{place}: {}", breach.law.says(), breach.how)
         }

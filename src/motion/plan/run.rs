@@ -4,7 +4,7 @@ use contract::{Decline, Ending, Estimate, Oracle};
 
 use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
 use crate::{
-    measure::asking::{Outcome as Said, ask},
+    measure::asking::{Reply, ask},
     motion::response::{BoutEnd, Request, Response},
 };
 
@@ -115,10 +115,10 @@ fn asked(method: Method, question: &Question, errors: &Errors) -> Ran {
     let (Some(oracle), Ok(case)) = (method.oracle(question), question.case.with_max_impacts(IMPACTS)) else {
         return Ok((None, 0));
     };
-    let observed = match ask(oracle.as_ref(), &case).outcome {
-        Said::Observed(observed) => observed,
-        Said::Declined(why) => return Err(why),
-        Said::Panicked(_) => return Ok((None, 0)),
+    let observed = match ask(oracle.as_ref(), &case).reply {
+        Reply::Observed(observed) => observed,
+        Reply::Declined(why) => return Err(why),
+        Reply::Panicked(_) => return Ok((None, 0)),
     };
     let outcome = match observed.history.ending {
         Ending::Incomplete => Some(Outcome::Incomplete),

@@ -1,8 +1,8 @@
 use contract::Decline;
 use serde::Serialize;
 
-use super::{Method, methods, truth::Truth};
-use crate::studies::specimens::Verdict;
+use super::{Contender, methods, truth::Truth};
+use crate::studies::specimens::Conclusion;
 
 /// The error of one interval by one method.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,13 +50,13 @@ pub(super) fn measure(omega: f64) -> Result<Vec<DepthRow>, Decline> {
     Ok(rows)
 }
 
-fn of_one(method: &Method, truth: &Truth, share: &str) -> Vec<DepthRow> {
+fn of_one(method: &Contender, truth: &Truth, share: &str) -> Vec<DepthRow> {
     let Some(run) = method.run(&truth.case) else { return Vec::new() };
     let name = match method {
-        Method::Specimen(specimen) => format!("{} {}", specimen.family(), specimen.setting()).trim_end().to_owned(),
-        Method::Oracle(oracle) => oracle.name().to_owned(),
+        Contender::Specimen(specimen) => format!("{} {}", specimen.family(), specimen.setting()).trim_end().to_owned(),
+        Contender::Oracle(oracle) => oracle.name().to_owned(),
     };
-    let is_over = matches!(run.verdict, Verdict::Rests(_));
+    let is_over = matches!(run.conclusion, Conclusion::Rests(_));
     let listed = truth.impacts.iter().enumerate().skip(EVERY).step_by(EVERY);
     let rows = listed.map(|(index, exact)| DepthRow {
         share: share.to_owned(),

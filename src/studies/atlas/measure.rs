@@ -3,8 +3,8 @@
 use contract::Decline;
 use serde::Serialize;
 
-use super::{Method, truth::Truth};
-use crate::studies::specimens::{Run, Verdict};
+use super::{Contender, truth::Truth};
+use crate::studies::specimens::{Conclusion, Run};
 
 /// What one method made of one case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,26 +50,26 @@ pub(super) fn is_wrong(error: f64) -> bool {
 }
 
 /// Every method at one place.
-pub(super) fn at(methods: &[Method], omega: f64, eta: f64, to_go: f64) -> Result<Vec<AtlasRow>, Decline> {
+pub(super) fn at(methods: &[Contender], omega: f64, eta: f64, to_go: f64) -> Result<Vec<AtlasRow>, Decline> {
     let truth = Truth::at(omega, eta, to_go)?;
-    let row = |method: &Method| method.run(&truth.case).map(|run| row(method, &truth, to_go, &run));
+    let row = |method: &Contender| method.run(&truth.case).map(|run| row(method, &truth, to_go, &run));
     Ok(methods.iter().filter_map(row).collect())
 }
 
-fn row(method: &Method, truth: &Truth, to_go: f64, run: &Run) -> AtlasRow {
-    let tau_ch_error = match (&run.verdict, truth.chattering_time) {
-        (Verdict::Rests(time), Some(exact)) => Some((time / exact - 1.0).abs()),
+fn row(method: &Contender, truth: &Truth, to_go: f64, run: &Run) -> AtlasRow {
+    let tau_ch_error = match (&run.conclusion, truth.chattering_time) {
+        (Conclusion::Rests(time), Some(exact)) => Some((time / exact - 1.0).abs()),
         _ => None,
     };
     let response_error = run.response.as_ref().map(|response| response.error(&truth.response));
-    let error = match (&run.verdict, truth.chattering_time) {
-        (Verdict::Rests(_), Some(_)) => tau_ch_error,
-        (Verdict::Rocks, Some(_)) => Some(1.0),
-        (Verdict::Rests(_) | Verdict::Rocks, None) => response_error,
+    let error = match (&run.conclusion, truth.chattering_time) {
+        (Conclusion::Rests(_), Some(_)) => tau_ch_error,
+        (Conclusion::Rocks, Some(_)) => Some(1.0),
+        (Conclusion::Rests(_) | Conclusion::Rocks, None) => response_error,
         _ => None,
     };
     let resolved = truth.resolved(&run.impacts);
-    let (failure, how) = failure(&run.verdict, truth.chattering_time.is_some(), error);
+    let (failure, how) = failure(&run.conclusion, truth.chattering_time.is_some(), error);
     AtlasRow {
         family: method.family().to_owned(),
         setting: method.setting(),
@@ -79,9 +79,9 @@ fn row(method: &Method, truth: &Truth, to_go: f64, run: &Run) -> AtlasRow {
         to_go,
         place: place(to_go),
         truth: if truth.chattering_time.is_some() { "rests" } else { "rocks" },
-        verdict: match run.verdict {
-            Verdict::Rests(_) => Some("rests"),
-            Verdict::Rocks => Some("rocks"),
+        verdict: match run.conclusion {
+            Conclusion::Rests(_) => Some("rests"),
+            Conclusion::Rocks => Some("rocks"),
             _ => None,
         },
         tau_ch_error,
@@ -95,17 +95,17 @@ fn row(method: &Method, truth: &Truth, to_go: f64, run: &Run) -> AtlasRow {
 }
 
 /// How a method fails at a case whose chattering is complete or not, if it does.
-fn failure(verdict: &Verdict, is_complete: bool, error: Option<f64>) -> (&'static str, String) {
+fn failure(conclusion: &Conclusion, is_complete: bool, error: Option<f64>) -> (&'static str, String) {
     let is_off = error.is_some_and(is_wrong);
-    match verdict {
-        Verdict::Rests(_) if !is_complete => ("silent", "puts to rest a block that rocks".into()),
-        Verdict::Rocks if is_complete => ("silent", "rocks where the block rests".into()),
-        Verdict::Rests(_) if is_off => ("silent", "rests at the wrong time".into()),
-        Verdict::Rocks if is_off => ("silent", "rocks on in the wrong way".into()),
-        Verdict::Rests(_) | Verdict::Rocks => ("none", String::new()),
-        Verdict::Astray(why) => ("silent", (*why).into()),
-        Verdict::GaveUp(why) => ("loud", why.clone()),
-        Verdict::Hangs(why) => ("hang", (*why).into()),
+    match conclusion {
+        Conclusion::Rests(_) if !is_complete => ("silent", "puts to rest a block that rocks".into()),
+        Conclusion::Rocks if is_complete => ("silent", "rocks where the block rests".into()),
+        Conclusion::Rests(_) if is_off => ("silent", "rests at the wrong time".into()),
+        Conclusion::Rocks if is_off => ("silent", "rocks on in the wrong way".into()),
+        Conclusion::Rests(_) | Conclusion::Rocks => ("none", String::new()),
+        Conclusion::Astray(why) => ("silent", (*why).into()),
+        Conclusion::GaveUp(why) => ("loud", why.clone()),
+        Conclusion::Hangs(why) => ("hang", (*why).into()),
     }
 }
 

@@ -3,23 +3,23 @@
 use contract::{Case, Ending, Horizon, Oracle};
 
 use crate::{
-    measure::asking::{Outcome, ask},
+    measure::asking::{Reply, ask},
     panel::{self, Restart},
     studies::specimens::{
-        AdHoc, Landing, MoreauJean, OneClock, PrintedInDoubles, Response, Rule, Run, Specimen, Threshold, Verdict,
+        AdHoc, Conclusion, Landing, MoreauJean, OneClock, PrintedInDoubles, Response, Rule, Run, Specimen, Threshold,
         half_period,
     },
 };
 
 /// A method of the atlas.
-pub enum Method {
+pub enum Contender {
     /// A way that is known to fail.
     Specimen(Box<dyn Specimen>),
     /// A method of the panel.
     Oracle(Box<dyn Oracle>),
 }
 
-impl Method {
+impl Contender {
     /// What charts and tables call the kind of it.
     pub fn family(&self) -> &str {
         match self {
@@ -47,22 +47,26 @@ impl Method {
 
 /// The same for an oracle.
 fn run(oracle: &dyn Oracle, case: &Case) -> Run {
-    let nothing =
-        |why: String| Run { impacts: Vec::new(), verdict: Verdict::GaveUp(why), response: None, evaluations: None };
-    let observed = match ask(oracle, case).outcome {
-        Outcome::Observed(observed) => observed,
-        Outcome::Declined(_) => return nothing("declines".to_owned()),
-        Outcome::Panicked(message) => return nothing(format!("panics: {message}")),
+    let nothing = |why: String| Run {
+        impacts: Vec::new(),
+        conclusion: Conclusion::GaveUp(why),
+        response: None,
+        evaluations: None,
+    };
+    let observed = match ask(oracle, case).reply {
+        Reply::Observed(observed) => observed,
+        Reply::Declined(_) => return nothing("declines".to_owned()),
+        Reply::Panicked(message) => return nothing(format!("panics: {message}")),
     };
     let impacts: Vec<Landing> = observed.history.impacts.iter().map(Landing::from).collect();
-    let (verdict, response) = match (observed.history.ending, observed.chattering_time) {
+    let (conclusion, response) = match (observed.history.ending, observed.chattering_time) {
         (Ending::AtRest, Some(time)) => {
-            (Verdict::Rests(time.value), Some(Response::of(case, &impacts, Some(time.value))))
+            (Conclusion::Rests(time.value), Some(Response::of(case, &impacts, Some(time.value))))
         }
-        (Ending::Incomplete, _) => (Verdict::Rocks, response(oracle, case)),
-        (ending, _) => (Verdict::GaveUp(ending.to_string()), None),
+        (Ending::Incomplete, _) => (Conclusion::Rocks, response(oracle, case)),
+        (ending, _) => (Conclusion::GaveUp(ending.to_string()), None),
     };
-    Run { impacts, verdict, response, evaluations: None }
+    Run { impacts, conclusion, response, evaluations: None }
 }
 
 /// Where the block goes that still rocks at `T/2`.
@@ -75,7 +79,7 @@ fn response(oracle: &dyn Oracle, case: &Case) -> Option<Response> {
 }
 
 /// Every method, in the order of the tables.
-pub fn methods() -> Vec<Method> {
+pub fn methods() -> Vec<Contender> {
     let power = |exponent: i32| 10.0_f64.powi(exponent);
     let mut specimens: Vec<Box<dyn Specimen>> = Vec::new();
     for exponent in 1..=12 {
@@ -96,9 +100,9 @@ pub fn methods() -> Vec<Method> {
     for exponent in 2..=6 {
         specimens.push(Box::new(MoreauJean { step: power(-exponent) }));
     }
-    let mut methods: Vec<Method> = specimens.into_iter().map(Method::Specimen).collect();
+    let mut methods: Vec<Contender> = specimens.into_iter().map(Contender::Specimen).collect();
     for name in ["closed-form", "ode/linear", "asymptotic/paper", "asymptotic/order-16", "asymptotic/resummed"] {
-        methods.extend(panel::select(name).unwrap_or_default().into_iter().map(Method::Oracle));
+        methods.extend(panel::select(name).unwrap_or_default().into_iter().map(Contender::Oracle));
     }
     methods
 }

@@ -20,12 +20,12 @@ use crate::studies::chart::csv_text;
 pub use charts::CHARTS;
 pub use depth::DepthRow;
 pub use measure::AtlasRow;
-pub use methods::{LIFT, Method, methods};
+pub use methods::{Contender, LIFT, methods};
 pub use summary::markdown;
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request {
+pub struct Scope {
     /// The frequency ratio.
     pub omega: f64,
     /// The restitutions.
@@ -34,7 +34,7 @@ pub struct Request {
     pub distances: Vec<f64>,
 }
 
-impl Default for Request {
+impl Default for Scope {
     /// The frequency of the paper's figures, the restitutions of Fig. 6 and beyond, and distances decade by decade from both sides.
     fn default() -> Self {
         let decades = [0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
@@ -61,7 +61,7 @@ impl Tables {
     ///
     /// # Errors
     /// When a frequency or a restitution is outside of what the enclosure or the critical amplitude can do.
-    pub fn measure(request: &Request, done: impl Fn() + Sync) -> Result<Self, Decline> {
+    pub fn measure(request: &Scope, done: impl Fn() + Sync) -> Result<Self, Decline> {
         let methods = methods();
         let places = request.etas.iter().flat_map(|eta| request.distances.iter().map(move |to_go| (*eta, *to_go)));
         let rows = places.collect::<Vec<_>>().into_par_iter().map(|(eta, to_go)| {

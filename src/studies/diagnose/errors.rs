@@ -74,12 +74,12 @@ fn of_one(expansion: &Expansion, to_go: &[f64]) -> Result<Vec<ErrorRow>, Decline
 }
 
 /// A value at an amplitude and the relative error that is claimed for it.
-type Method<'a> = Box<dyn Fn(f64) -> Option<(f64, Option<f64>)> + 'a>;
+type Approximation<'a> = Box<dyn Fn(f64) -> Option<(f64, Option<f64>)> + 'a>;
 
 /// The methods by name.
-fn methods(expansion: &Expansion) -> Result<Vec<(String, Method<'_>)>, Decline> {
+fn methods(expansion: &Expansion) -> Result<Vec<(String, Approximation<'_>)>, Decline> {
     let (omega, eta) = (expansion.omega(), expansion.eta());
-    let mut methods: Vec<(String, Method)> = Vec::new();
+    let mut methods: Vec<(String, Approximation)> = Vec::new();
     if let Some(paper) = coefficients(eta) {
         let value = move |epsilon: f64| Some((paper.chattering_time(epsilon, omega), None));
         methods.push((PAPER.to_owned(), Box::new(value)));

@@ -36,7 +36,7 @@ const PAPER: &str = "paper (Eq. 65)";
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request {
+pub struct Scope {
     /// The frequency ratio of the charts at one frequency.
     pub omega: f64,
     /// The restitutions of the charts with a panel for each.
@@ -69,8 +69,8 @@ impl Tables {
     ///
     /// # Errors
     /// When a frequency or a restitution is outside of what the series or the critical amplitude can do.
-    pub fn measure(request: &Request, done: impl Fn() + Sync) -> Result<Self, Decline> {
-        let Request { omega, etas, grid } = request;
+    pub fn measure(request: &Scope, done: impl Fn() + Sync) -> Result<Self, Decline> {
+        let Scope { omega, etas, grid } = request;
         let expansions = expansions(*omega, etas, &done)?;
         Ok(Self {
             errors: errors::measure(&expansions, &done)?,

@@ -27,7 +27,7 @@ use crate::{
     studies::chart::{self, Table},
 };
 
-pub use claims::{Claim, Judged, Measured, Verdict, claims, judge, markdown, measured, summary};
+pub use claims::{Claim, Judged, Measured, Standing, claims, judge, markdown, measured, summary};
 pub use figure::Figure;
 
 /// Every figure that is regenerated.

@@ -1,6 +1,6 @@
 use contract::{Case, Ending, Horizon};
 
-use super::{ENDLESS, Landing, Response, Run, Specimen, Verdict, half_period};
+use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
 use crate::{measure::critical, panel};
 
 /// The scheme of Fig. 8a: below the critical amplitude of Eq. 76 the block is put to rest at the first impact after the chattering time of Eq. 65;
@@ -27,18 +27,18 @@ impl Specimen for AdHoc {
         let stop = impacts.iter().position(|impact| is_complete && impact.time >= at);
         impacts.truncate(stop.map_or(impacts.len(), |stop| stop + 1));
         let stopped = stop.and_then(|_| impacts.last()).map(|last| last.time);
-        let verdict = match stopped.filter(|time| *time < half_period) {
-            Some(time) => Verdict::Rests(time),
+        let conclusion = match stopped.filter(|time| *time < half_period) {
+            Some(time) => Conclusion::Rests(time),
             None if history.ending == Ending::AtRest && impacts.iter().all(|impact| impact.time < half_period) => {
-                Verdict::Hangs("the impacts accumulate before the time at which it would stop")
+                Conclusion::Hangs("the impacts accumulate before the time at which it would stop")
             }
-            None => Verdict::Rocks,
+            None => Conclusion::Rocks,
         };
-        let response = match verdict {
-            Verdict::Hangs(_) => None,
+        let response = match conclusion {
+            Conclusion::Hangs(_) => None,
             _ => Some(Response::of(case, &impacts, stopped)),
         };
         impacts.retain(|impact| impact.time < half_period);
-        Some(Run { impacts, verdict, response, evaluations: None })
+        Some(Run { impacts, conclusion, response, evaluations: None })
     }
 }

@@ -1,6 +1,6 @@
 use contract::Case;
 
-use super::{ENDLESS, Landing, Response, Run, Specimen, Verdict, half_period};
+use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
 
 /// Eqs 6-13 as they are printed: doubles, absolute time, `A_n e^-τ` and `B_n e^τ`, and a search for the next change of sign of the rotation. It
 /// has no way of its own to end.
@@ -92,7 +92,7 @@ impl Specimen for PrintedInDoubles {
         let end = 2.0 * half_period;
         let mut impacts: Vec<Landing> = Vec::new();
         let (mut tau, mut velocity, mut sign) = (0.0, 0.0, -1.0);
-        let verdict = loop {
+        let conclusion = loop {
             let flight = Flight::new(case, sign, tau, velocity);
             let acceleration = -sign - a * (omega * tau + flight.psi).sin();
             let parabola = (2.0 * velocity / acceleration).abs();
@@ -103,16 +103,16 @@ impl Specimen for PrintedInDoubles {
             let Some(landing) = flight.landing(tau, step, end) else { break None };
             velocity = case.eta() * flight.velocity(landing);
             if sign * velocity >= 0.0 {
-                break Some(Verdict::Astray("the velocity at an impact has the wrong sign"));
+                break Some(Conclusion::Astray("the velocity at an impact has the wrong sign"));
             }
             impacts.push(Landing { time: landing, interval: landing - tau, velocity });
             if impacts.len() > ENDLESS || landing <= tau {
-                break Some(Verdict::Hangs("time stands still"));
+                break Some(Conclusion::Hangs("time stands still"));
             }
             (tau, sign) = (landing, -sign);
         };
-        let response = verdict.is_none().then(|| Response::of(case, &impacts, None));
+        let response = conclusion.is_none().then(|| Response::of(case, &impacts, None));
         impacts.retain(|impact| impact.time < half_period);
-        Some(Run { impacts, verdict: verdict.unwrap_or(Verdict::Rocks), response, evaluations: None })
+        Some(Run { impacts, conclusion: conclusion.unwrap_or(Conclusion::Rocks), response, evaluations: None })
     }
 }

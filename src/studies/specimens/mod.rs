@@ -1,5 +1,5 @@
 //! **Specimens: ways of handling the accumulation point that are known to fail, kept to measure how.** None of them is an oracle, none makes a
-//! claim, none is on the panel, and no verdict of the gate rests on one. Only the [`atlas`](crate::studies::atlas) and the
+//! claim, none is on the panel, and no conclusion of the gate rests on one. Only the [`atlas`](crate::studies::atlas) and the
 //! [`work_precision`](crate::studies::work_precision) charts ask them. Do not copy them into a simulator.
 //!
 //! | file | what it is | where it comes from |
@@ -47,7 +47,7 @@ pub struct Run {
     /// The impacts before `T/2`, as far as it got.
     pub impacts: Vec<Landing>,
     /// What it says of the chattering.
-    pub verdict: Verdict,
+    pub conclusion: Conclusion,
     /// The rotation in the half period after `T/2`, where it got that far.
     pub response: Option<Response>,
     /// How often it evaluated the right-hand side, if it is a method that does.
@@ -67,7 +67,7 @@ pub struct Landing {
 
 /// What a way of handling the accumulation point says of the chattering.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum Conclusion {
     /// Complete: at rest from this time on, which is its chattering time.
     Rests(f64),
     /// Incomplete: still rocking at `T/2`.

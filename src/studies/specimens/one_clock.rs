@@ -1,6 +1,6 @@
 use contract::{Case, Ending, Horizon, Limit, Loss};
 
-use super::{ENDLESS, Landing, Response, Run, Specimen, Verdict, half_period};
+use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
 use crate::panel::{self, Restart};
 
 /// diffsol (Tsit45) on one clock, with the rotation as its event and Eq. 13 at each root, as in the bouncing ball of its own examples.
@@ -34,17 +34,17 @@ impl Specimen for OneClock {
         let reached_the_end = counted.history.ending == Ending::LimitReached(Limit::Time);
         let response = reached_the_end.then(|| Response::of(case, &impacts, None));
         let is_past = impacts.iter().any(|impact| impact.time >= half_period);
-        let verdict = match counted.history.ending {
-            _ if is_past || reached_the_end => Verdict::Rocks,
+        let conclusion = match counted.history.ending {
+            _ if is_past || reached_the_end => Conclusion::Rocks,
             // What the solver does not notice, and a check of the sign after each step does.
-            Ending::Lost(Loss::FellThrough) => Verdict::Astray("falls through the base without an event"),
-            Ending::Lost(Loss::NotFinite) => Verdict::Astray("the velocity at an impact has the wrong sign"),
-            Ending::Lost(Loss::Stalled) => Verdict::Hangs("time stands still"),
-            Ending::Lost(Loss::SolverFailed) => Verdict::GaveUp("the solver gives up".into()),
-            Ending::AtRest | Ending::LimitReached(_) => Verdict::Hangs("impacts without end"),
+            Ending::Lost(Loss::FellThrough) => Conclusion::Astray("falls through the base without an event"),
+            Ending::Lost(Loss::NotFinite) => Conclusion::Astray("the velocity at an impact has the wrong sign"),
+            Ending::Lost(Loss::Stalled) => Conclusion::Hangs("time stands still"),
+            Ending::Lost(Loss::SolverFailed) => Conclusion::GaveUp("the solver gives up".into()),
+            Ending::AtRest | Ending::LimitReached(_) => Conclusion::Hangs("impacts without end"),
             Ending::NeverRocks | Ending::Incomplete | Ending::Overturned => return None,
         };
         impacts.retain(|impact| impact.time < half_period);
-        Some(Run { impacts, verdict, response, evaluations: Some(counted.evaluations) })
+        Some(Run { impacts, conclusion, response, evaluations: Some(counted.evaluations) })
     }
 }

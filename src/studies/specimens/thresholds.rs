@@ -1,6 +1,6 @@
 use contract::{Case, Ending, Horizon};
 
-use super::{ENDLESS, Landing, Response, Run, Specimen, Verdict, half_period};
+use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
 use crate::panel;
 
 /// When the block is put to rest.
@@ -72,8 +72,8 @@ impl Specimen for Threshold {
         impacts.truncate(stop.unwrap_or(impacts.len()));
         let stopped = stop.and_then(|_| impacts.last()).map(|last| last.time);
         let response = Some(Response::of(case, &impacts, stopped));
-        let verdict = stopped.filter(|time| *time < half_period).map_or(Verdict::Rocks, Verdict::Rests);
+        let conclusion = stopped.filter(|time| *time < half_period).map_or(Conclusion::Rocks, Conclusion::Rests);
         impacts.retain(|impact| impact.time < half_period);
-        Some(Run { impacts, verdict, response, evaluations: None })
+        Some(Run { impacts, conclusion, response, evaluations: None })
     }
 }

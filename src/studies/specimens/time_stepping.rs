@@ -1,6 +1,6 @@
 use contract::Case;
 
-use super::{Landing, Response, Run, SAMPLES, Specimen, Verdict, half_period};
+use super::{Conclusion, Landing, Response, Run, SAMPLES, Specimen, half_period};
 
 /// The time stepping of Moreau and Jean for the one degree of freedom of the block, with a fixed step `h`: the rotation is looked at in the middle
 /// of each step. Away from the base, the velocity changes by the acceleration there. Where the middle is at the base or beyond, the reaction is
@@ -89,8 +89,8 @@ impl Specimen for MoreauJean {
             }
         }
         let rests = moved < half_period - h;
-        let verdict = if rests { Verdict::Rests(moved) } else { Verdict::Rocks };
+        let conclusion = if rests { Conclusion::Rests(moved) } else { Conclusion::Rocks };
         let evaluations = Some((2.0 * SAMPLES as f64 * between) as u64);
-        Some(Run { impacts, verdict, response: Some(Response(response)), evaluations })
+        Some(Run { impacts, conclusion, response: Some(Response(response)), evaluations })
     }
 }

@@ -7,7 +7,7 @@ use crate::{
     panel::{self, Expansion, Ode, Restart, Resummed},
     studies::{
         atlas::LIFT,
-        specimens::{MoreauJean, Rule, Specimen, Threshold, Verdict},
+        specimens::{Conclusion, MoreauJean, Rule, Specimen, Threshold},
     },
 };
 
@@ -25,13 +25,13 @@ pub(super) struct Found {
 }
 
 /// One setting.
-pub(super) struct Method {
+pub(super) struct Contender {
     pub family: String,
     pub setting: String,
     pub run: Box<dyn Fn(&Case) -> Found>,
 }
 
-impl Method {
+impl Contender {
     fn new(family: impl Into<String>, setting: impl Into<String>, run: impl Fn(&Case) -> Found + 'static) -> Self {
         Self { family: family.into(), setting: setting.into(), run: Box::new(run) }
     }
@@ -43,23 +43,24 @@ const IMPACTS: [usize; 10] = [10, 20, 30, 40, 60, 80, 120, 160, 240, 400];
 const TERMS: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
 
 /// All of them, for a case.
-pub(super) fn methods(case: &Case) -> Vec<Method> {
+pub(super) fn methods(case: &Case) -> Vec<Contender> {
     let mut methods = Vec::new();
     for impacts in IMPACTS {
         let setting = format!("{impacts} impacts");
-        methods.push(Method::new("closed form, Eq. 75", &setting, move |case| stepped(case, impacts, zeno::eq75)));
+        methods.push(Contender::new("closed form, Eq. 75", &setting, move |case| stepped(case, impacts, zeno::eq75)));
         let close = |history: &History, eta| zeno::close(history, eta).map(|time| time.value);
-        methods.push(Method::new("closed form, higher orders", &setting, move |case| stepped(case, impacts, close)));
+        methods.push(Contender::new("closed form, higher orders", &setting, move |case| stepped(case, impacts, close)));
     }
     methods.extend(thresholds(case));
     methods.extend(series());
     methods.extend(solvers());
     for exponent in 2..=6 {
         let scheme = MoreauJean { step: 10.0_f64.powi(-exponent) };
-        methods.push(Method::new(scheme.family(), scheme.setting(), move |case| time_stepping(&scheme, case)));
+        methods.push(Contender::new(scheme.family(), scheme.setting(), move |case| time_stepping(&scheme, case)));
     }
     for digits in [2, 4, 6, 8, 10, 12, 14, 16] {
-        methods.push(Method::new("enclosure, proven", format!("{digits} digits"), move |case| enclosed(case, digits)));
+        methods
+            .push(Contender::new("enclosure, proven", format!("{digits} digits"), move |case| enclosed(case, digits)));
     }
     methods
 }
@@ -77,35 +78,35 @@ fn stepped(case: &Case, impacts: usize, close: impl Fn(&History, f64) -> Option<
 }
 
 /// The thresholds of the atlas: as many impacts as each takes, and the time of the last one.
-fn thresholds(case: &Case) -> Vec<Method> {
+fn thresholds(case: &Case) -> Vec<Contender> {
     let rules = [Rule::Velocity, Rule::TwoIntervals];
     let all = rules.into_iter().flat_map(|rule| (1..=12).map(move |exponent| (rule, 10.0_f64.powi(-exponent))));
     let method = |(rule, value)| {
         let threshold = Threshold { rule, value };
         let impacts = threshold.run(case)?.impacts.len();
         let last = |history: &History, _| history.impacts.last().map(|last| last.time);
-        Some(Method::new(threshold.family(), threshold.setting(), move |case| stepped(case, impacts, last)))
+        Some(Contender::new(threshold.family(), threshold.setting(), move |case| stepped(case, impacts, last)))
     };
     all.filter_map(method).collect()
 }
 
 /// The series: to the order of the paper, by order and resummed, the coefficients included.
-fn series() -> Vec<Method> {
+fn series() -> Vec<Contender> {
     let value = |time: Option<f64>| {
         time.map_or_else(|| Found::failed("declines"), |time| Found { chattering_time: Some(time), ..Found::default() })
     };
     let paper = move |case: &Case| {
         value(panel::coefficients(case.eta()).map(|known| known.chattering_time(case.epsilon(), case.omega())))
     };
-    let mut methods = vec![Method::new("series, Eq. 65", "", paper)];
+    let mut methods = vec![Contender::new("series, Eq. 65", "", paper)];
     for terms in TERMS {
-        methods.push(Method::new("series by order", format!("{terms} terms"), move |case| {
+        methods.push(Contender::new("series by order", format!("{terms} terms"), move |case| {
             let expansion = Expansion::new(case.omega(), case.eta(), terms, 0).ok();
             value(expansion.map(|expansion| expansion.partial_sum(terms, case.epsilon())))
         }));
     }
     for terms in [32, 64, 96] {
-        methods.push(Method::new("series, resummed", format!("{terms} terms"), move |case| {
+        methods.push(Contender::new("series, resummed", format!("{terms} terms"), move |case| {
             let expansion = Expansion::new(case.omega(), case.eta(), terms, 0).ok();
             let resummed = expansion.and_then(|expansion| Resummed::new(&expansion).ok());
             value(resummed.and_then(|resummed| resummed.chattering_time(case.epsilon())).map(|time| time.value))
@@ -115,13 +116,13 @@ fn series() -> Vec<Method> {
 }
 
 /// diffsol: each method with rescaled flights, and Tsit45 on one clock.
-fn solvers() -> Vec<Method> {
+fn solvers() -> Vec<Contender> {
     let mut methods = Vec::new();
     let tolerances = || (3..=12).map(|exponent| 10.0_f64.powi(-exponent));
     for method in panel::SOLVERS {
         methods.extend(tolerances().filter_map(|rtol| {
             let solver = panel::solver(method, rtol).ok()?;
-            Some(Method::new(format!("{method}, rescaled"), format!("rtol {rtol:e}"), move |case| {
+            Some(Contender::new(format!("{method}, rescaled"), format!("rtol {rtol:e}"), move |case| {
                 solved(&solver, case)
             }))
         }));
@@ -131,7 +132,7 @@ fn solvers() -> Vec<Method> {
         methods.extend(tolerances().filter_map(|rtol| {
             let solver = panel::one_clock(restart, rtol).ok()?;
             let family = format!("tsit45, one clock, {name}");
-            Some(Method::new(family, format!("rtol {rtol:e}"), move |case| solved(&solver, case)))
+            Some(Contender::new(family, format!("rtol {rtol:e}"), move |case| solved(&solver, case)))
         }));
     }
     methods
@@ -162,8 +163,8 @@ fn ended(ending: Ending, impacts: usize) -> String {
 
 fn time_stepping(scheme: &MoreauJean, case: &Case) -> Found {
     let Some(run) = scheme.run(case) else { return Found::failed("declines") };
-    let (chattering_time, outcome) = match run.verdict {
-        Verdict::Rests(time) => (Some(time), String::new()),
+    let (chattering_time, outcome) = match run.conclusion {
+        Conclusion::Rests(time) => (Some(time), String::new()),
         _ => (None, "rocks where the block rests".to_owned()),
     };
     Found {

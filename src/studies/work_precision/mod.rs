@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::{measure::critical, panel, studies::chart::csv_text};
 
 pub use charts::CHARTS;
-use methods::{Found, Method, methods};
+use methods::{Contender, Found, methods};
 
 /// One setting of one method at one distance.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,7 +43,7 @@ pub struct WorkRow {
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request {
+pub struct Scope {
     /// The frequency ratio.
     pub omega: f64,
     /// The restitution.
@@ -54,7 +54,7 @@ pub struct Request {
     pub patience: f64,
 }
 
-impl Default for Request {
+impl Default for Scope {
     /// The block of the paper's figures at three distances, with impacts enough to close the sum to nearly all digits.
     fn default() -> Self {
         Self { omega: 2.0, eta: 0.92, percents: vec![(50.0, 80), (90.0, 120), (99.9, 200)], patience: 0.1 }
@@ -65,8 +65,8 @@ impl Default for Request {
 ///
 /// # Errors
 /// When a quantity is out of range.
-pub fn measure(request: &Request, done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
-    let Request { omega, eta, .. } = *request;
+pub fn measure(request: &Scope, done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
+    let Scope { omega, eta, .. } = *request;
     let invalid = |why: contract::Invalid| Decline::NotConvergent { why: why.to_string() };
     let critical = critical::interpolated(omega, eta).map_err(invalid)?;
     let mut rows = Vec::new();
@@ -135,7 +135,7 @@ impl WorkRow {
                 return Err(Invalid::new(field, error, "empty, or a finite number not below 0"));
             }
         }
-        let mut charts = Request::default().percents.into_iter().map(|(percent, _)| format!("{percent} %"));
+        let mut charts = Scope::default().percents.into_iter().map(|(percent, _)| format!("{percent} %"));
         if charts.any(|share| share == self.share) {
             Ok(())
         } else {
@@ -168,7 +168,7 @@ impl Truth {
     }
 
     /// The answer, before it is timed.
-    fn row(&self, case: &Case, method: &Method) -> WorkRow {
+    fn row(&self, case: &Case, method: &Contender) -> WorkRow {
         let Found { chattering_time, impact_40, impacts, evaluations, width, outcome } = (method.run)(case);
         // What is proven is as far off as it is wide; anything else as far as it is from what is proven.
         let off = |found: Option<f64>, exact: Option<f64>| Some(rounded((found? / exact? - 1.0).abs()));

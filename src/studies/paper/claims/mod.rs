@@ -24,7 +24,7 @@ use super::Error;
 
 pub(super) use table::csv;
 pub use table::{markdown, summary};
-pub use verdict::{Unit, Verdict};
+pub use verdict::{Standing, Unit};
 
 /// A statement of the paper.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -82,7 +82,7 @@ pub struct Judged {
     /// What was measured.
     pub measured: Measured,
     /// What follows.
-    pub verdict: Verdict,
+    pub verdict: Standing,
 }
 
 /// The `id` of a claim and what measures it.
@@ -140,7 +140,7 @@ pub fn judge(done: impl Fn() + Sync) -> Result<Vec<Judged>, Error> {
         let measurement = measurements().find(|(id, _)| *id == claim.id);
         let (_, measure) = measurement.ok_or_else(|| Error::Mismatch(format!("{} is not measured", claim.id)))?;
         let measured = measure()?;
-        let verdict = Verdict::of(&claim, measured.deviation);
+        let verdict = Standing::of(&claim, measured.deviation);
         done();
         Ok(Judged { claim, measured, verdict })
     });

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{Judged, Verdict};
+use super::{Judged, Standing};
 use crate::studies::{chart::csv_text, paper::Error};
 
 /// The table for people.
@@ -14,14 +14,14 @@ pub fn markdown(judged: &[Judged]) -> String {
 
 /// How many claims hold, and the table of those that do not.
 pub fn summary(judged: &[Judged]) -> String {
-    let count = |is: fn(&Verdict) -> bool| judged.iter().filter(|one| is(&one.verdict)).count();
-    let wrong = judged.iter().filter(|one| matches!(one.verdict, Verdict::DoesNotHold(_)));
+    let count = |is: fn(&Standing) -> bool| judged.iter().filter(|one| is(&one.verdict)).count();
+    let wrong = judged.iter().filter(|one| matches!(one.verdict, Standing::DoesNotHold(_)));
     format!(
         "Of {} claims {} hold, {} hold within a number, and {} do not:\n\n{}",
         judged.len(),
-        count(|verdict| *verdict == Verdict::Holds),
-        count(|verdict| matches!(verdict, Verdict::HoldsWithin(_))),
-        count(|verdict| matches!(verdict, Verdict::DoesNotHold(_))),
+        count(|verdict| *verdict == Standing::Holds),
+        count(|verdict| matches!(verdict, Standing::HoldsWithin(_))),
+        count(|verdict| matches!(verdict, Standing::DoesNotHold(_))),
         rows(wrong)
     )
 }

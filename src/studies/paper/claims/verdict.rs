@@ -6,7 +6,7 @@ use super::Claim;
 
 /// What a measurement says of a claim.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
+pub enum Standing {
     /// The statement is right to the digits in which it is made.
     Holds,
     /// It is right within this deviation.
@@ -36,7 +36,7 @@ pub struct Deviation {
     pub unit: Unit,
 }
 
-impl Verdict {
+impl Standing {
     /// The verdict on a claim, by the numbers in the claim. A deviation that is not a number does not hold.
     pub fn of(claim: &Claim, deviation: f64) -> Self {
         let printed = Deviation { value: deviation, unit: claim.unit };
@@ -50,7 +50,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for Standing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Holds => f.write_str("holds"),
@@ -98,13 +98,13 @@ mod tests {
 
     #[test]
     fn the_numbers_of_the_claim_decide() {
-        let verdict = |deviation| Verdict::of(&claim(Unit::Relative), deviation).to_string();
+        let verdict = |deviation| Standing::of(&claim(Unit::Relative), deviation).to_string();
         assert_eq!(verdict(1e-9), "holds");
         assert_eq!(verdict(0.0052), "holds within 0.52 %");
         assert_eq!(verdict(0.051), "does not hold: off by 5.1 %");
         assert_eq!(verdict(f64::NAN), "does not hold: off by NaN %");
-        assert_eq!(Verdict::of(&claim(Unit::Cases), 7.0).to_string(), "does not hold: 7 cases against it");
-        assert_eq!(Verdict::of(&claim(Unit::Absolute), 0.012).to_string(), "holds within 0.012");
+        assert_eq!(Standing::of(&claim(Unit::Cases), 7.0).to_string(), "does not hold: 7 cases against it");
+        assert_eq!(Standing::of(&claim(Unit::Absolute), 0.012).to_string(), "holds within 0.012");
     }
 
     #[test]
