@@ -8,7 +8,10 @@ use proptest::{prelude::*, test_runner::RngSeed};
 const ALPHA: f64 = 0.2;
 
 fn oracles() -> Vec<Box<dyn Oracle>> {
-    ["closed-form", "taylor"].map(|name| panel::one(name, &Settings::default(), "nonlinear").unwrap()).into()
+    let ode = |equation| panel::one("ode", &Settings { equation: Some(equation), ..Settings::default() }, equation);
+    let [closed_form, taylor] =
+        ["closed-form", "taylor"].map(|name| panel::one(name, &Settings::default(), "nonlinear"));
+    [closed_form, taylor, ode("linear"), ode("nonlinear")].map(Result::unwrap).into()
 }
 
 fn case(epsilon: f64, omega: f64, eta: f64) -> Case {
@@ -226,8 +229,9 @@ fn free_rocking_obeys_housner() {
 /// Neither an oracle without flights nor a block that never rocks from rest has any.
 #[test]
 fn who_has_no_flights_says_so() {
-    let ode = panel::one("ode", &Settings::default(), "linear").unwrap();
-    assert!(ode.flights(&case(0.03, 2.0, 0.9)).is_err());
+    for name in ["asymptotic", "printed"] {
+        assert!(panel::one(name, &Settings::default(), "linear").unwrap().flights(&case(0.03, 2.0, 0.9)).is_err());
+    }
     for oracle in oracles() {
         assert!(oracle.flights(&case(0.0, 2.0, 0.9)).is_err());
     }

@@ -26,6 +26,15 @@ impl Motion {
         GROWTH * flights <= (1.0 - X) * r
     }
 
+    /// The same on still ground, where the energy of the tilt at the balance, `1/2` for Eq. 4 and `(1 - cos alpha)/alpha^2` for Eq. 2, is more
+    /// than any flight that lands has: it lands as fast as it left.
+    pub fn comes_to_rest_on_still_ground(&self, w: f64) -> bool {
+        match self.shape {
+            Shape::Slender => w < 1.0,
+            Shape::Exact { alpha, .. } => w < 2.0 * (0.5 * alpha).sin() / alpha,
+        }
+    }
+
     /// A bound on how fast the acceleration towards the base, over [`Motion::gain`], changes with the rotation `u` while `|g| <= 2`:
     /// it is `g - u` for Eq. 4, and `g [cos(alpha u) + tan(alpha) sin(alpha u)] - sin(alpha u)/(sin(alpha) cos(alpha))` for Eq. 2.
     fn sensitivity(&self) -> f64 {

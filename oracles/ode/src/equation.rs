@@ -15,7 +15,7 @@ const LEAST_EPSILON: f64 = 1e-60;
 /// An equation of motion with its excitation `f = a sin(omega tau + psi)`, `sin(psi) = 1/a` (Eq. 12).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion {
-    /// The amplitude, in units of the threshold of this equation.
+    /// The amplitude, in units of the threshold of this equation; 0 on still ground.
     pub a: f64,
     pub omega: f64,
     /// `delta = pi/2 - psi`, so that `f = a cos(omega tau - delta)` and `a cos(delta) = 1`.
@@ -66,9 +66,17 @@ impl Motion {
         Ok(Some(Self { a, omega, delta, shape }))
     }
 
+    /// The same block on ground that has come to rest.
+    pub fn on_still_ground(self) -> Self {
+        Self { a: 0.0, ..self }
+    }
+
     /// `i + f(tau)` as a product, which keeps its relative accuracy where the sum would cancel:
     /// `f - 1 = a [cos(2y - delta) - cos(delta)]` and `f + 1 = a [cos(2y - delta) + cos(delta)]` with `y = omega tau/2`.
     pub fn excess(&self, i: f64, tau: f64) -> f64 {
+        if self.a == 0.0 {
+            return i;
+        }
         let y = 0.5 * self.omega * tau;
         if i < 0.0 {
             2.0 * self.a * y.sin() * (self.delta - y).sin()

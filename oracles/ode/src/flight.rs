@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use contract::{Ending, Loss};
+use contract::Loss;
 use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
 use crate::Method;
@@ -31,6 +31,8 @@ pub(crate) struct Scaled {
     velocity: f64,
     /// `T^2/P`.
     per_acceleration: f64,
+    /// `chi(0)`: 0 from the base.
+    start_rotation: f64,
     /// `chi'(0)`: about `i`, or 0 in the first flight.
     start_velocity: f64,
 }
@@ -43,31 +45,33 @@ impl Scaled {
     /// `2 |v|/|phi''|` for an ordinary flight, `4 sqrt(eps (2 + eps))/omega` for the first (where only jerk and snap are left), and
     /// otherwise no more than the time in which the excitation or the unstable equilibrium change things.
     pub fn new(motion: &Motion, launch: &Launch) -> Self {
-        let Launch { i, tau, velocity } = *launch;
+        let Launch { i, tau, rotation, velocity } = *launch;
         let forcing = motion.forcing(i, tau);
         let (slope, curvature) = forcing.derivatives();
-        // The derivatives of Eq. 4 at phi = 0, with the gain of Eq. 2: the estimate need not be better than that.
+        // The derivatives of Eq. 4, with the gain of Eq. 2: the estimate need not be better than that.
         let gain = motion.gain();
-        let second = -gain * forcing.excess;
+        let second = rotation - gain * forcing.excess;
         let third = velocity - gain * slope;
         let fourth = second - gain * curvature;
-        let c = [(1, i * velocity), (2, i * second / 2.0), (3, i * third / 6.0), (4, i * fourth / 24.0)];
+        let c =
+            [(0, i * rotation), (1, i * velocity), (2, i * second / 2.0), (3, i * third / 6.0), (4, i * fourth / 24.0)];
         let balance = |&(k, ck): &(i32, f64)| {
             let times = c.iter().filter(|&&(j, cj)| j < k && cj > 0.0).map(|&(j, cj)| root(cj / -ck, k - j));
             times.fold(0.0, f64::max)
         };
         let returning = c.iter().filter(|&&(_, ck)| ck < 0.0).map(balance).filter(|&t| t > 0.0);
         let time = returning.fold(1.0 / motion.omega.max(1.0), f64::min);
-        let rotation = c.iter().map(|&(k, ck)| ck.abs() * time.powi(k)).fold(0.0, f64::max);
+        let unit = c.iter().map(|&(k, ck)| ck.abs() * time.powi(k)).fold(0.0, f64::max);
         Self {
             motion: *motion,
             forcing,
             i,
             time,
-            rotation,
-            velocity: rotation / time,
-            per_acceleration: time / rotation * time,
-            start_velocity: velocity / rotation * time,
+            rotation: unit,
+            velocity: unit / time,
+            per_acceleration: time / unit * time,
+            start_rotation: rotation / unit,
+            start_velocity: velocity / unit * time,
         }
     }
 
@@ -85,11 +89,13 @@ impl Scaled {
     }
 
     /// The function whose sign the solver watches: the rotation with its known root at `xi = 0` divided out, simple after an impact and
-    /// triple in the first flight. So the start of a flight is no event, and a step over the whole flight is one.
+    /// triple in the first flight (double where it starts above the threshold; what is divided by too often keeps its sign). So the start of a flight is no event, and a step over the whole flight is one.
     #[inline]
     pub fn event(&self, xi: f64, chi: f64) -> f64 {
         if xi <= 0.0 {
             self.i
+        } else if self.start_rotation != 0.0 {
+            chi
         } else if self.start_velocity != 0.0 {
             chi / xi
         } else {
@@ -98,7 +104,8 @@ impl Scaled {
     }
 
     fn start(&self) -> Knot {
-        Knot { t: 0.0, y: 0.0, dy: self.start_velocity, ddy: self.acceleration(0.0, 0.0) }
+        let y = self.start_rotation;
+        Knot { t: 0.0, y, dy: self.start_velocity, ddy: self.acceleration(0.0, y) }
     }
 
     /// A first step that the error test is likely to accept. The embedded method of order `q` is exact for the parabola that a flight
@@ -120,12 +127,13 @@ impl Scaled {
     }
 }
 
-/// `x^(1/n)` for n = 1, 2, 3.
+/// `x^(1/n)` for n = 1, 2, 3, 4.
 fn root(x: f64, n: i32) -> f64 {
     match n {
         1 => x,
         2 => x.sqrt(),
-        _ => x.cbrt(),
+        3 => x.cbrt(),
+        _ => x.sqrt().sqrt(),
     }
 }
 
@@ -151,32 +159,47 @@ impl<S> Rescaled<'_, S> {
     }
 }
 
-impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescaled<'_, S> {
-    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome {
+impl<S> Rescaled<'_, S> {
+    /// Where a flight ends, with the state there: the rotation and the velocity away from the base. One that is only `watched` is followed to its time
+    /// although it is certain that it overturns.
+    pub fn follow<'a, E: Equations + 'a>(
+        &mut self,
+        launch: &Launch,
+        time_left: f64,
+        watched: bool,
+    ) -> (Outcome, (f64, f64))
+    where
+        S: OdeSolverMethod<'a, E>,
+    {
         let scaled = Scaled::new(&self.motion, launch);
         self.units.set(scaled);
         let mut from = scaled.start();
+        let mut state = scaled.away_from_base(from.y, from.dy);
         self.place(&from, scaled.first_step(self.method, self.rtol));
         let mut halvings = 0;
         for _ in 0..MOST_STEPS {
             let Ok(reason) = self.solver.step() else {
-                return Outcome::Ended(Ending::Lost(Loss::SolverFailed));
+                return (Outcome::Lost(Loss::SolverFailed), state);
             };
-            let state = self.solver.state();
-            let (t, y) = (state.t, state.y[0]);
-            let to = Knot { t, y, dy: state.y[1], ddy: scaled.acceleration(t, y) };
+            let stepped = self.solver.state();
+            let (t, y) = (stepped.t, stepped.y[0]);
+            let to = Knot { t, y, dy: stepped.y[1], ddy: scaled.acceleration(t, y) };
             if !to.is_finite() {
-                return Outcome::Ended(Ending::Lost(Loss::NotFinite));
+                return (Outcome::Lost(Loss::NotFinite), state);
             }
             if to.t <= from.t {
-                return Outcome::Ended(Ending::Lost(Loss::Stalled));
+                return (Outcome::Lost(Loss::Stalled), state);
             }
             let piece = Piece::between(&from, &to);
+            let end = (time_left / scaled.time).min(to.t);
+            let at_end = |(chi, dchi)| scaled.away_from_base(chi, dchi);
             match (reason, piece.sign_changes()) {
                 (OdeSolverStopReason::RootFound(guess, _), 1) => {
                     let (xi, slope) = piece.root_near(guess);
                     let (_, du) = scaled.away_from_base(0.0, slope);
-                    return Outcome::landed(xi * scaled.time, -du, time_left);
+                    let outcome = Outcome::landed(xi * scaled.time, -du, time_left);
+                    let state = if matches!(outcome, Outcome::TimeIsUp) { at_end(piece.at(end)) } else { (0.0, du) };
+                    return (outcome, state);
                 }
                 (OdeSolverStopReason::InternalTimestep, 0) if scaled.i * to.y > 0.0 => {}
                 // The solver's event and the values at the ends of the step do not tell the same story, or not a simple one
@@ -186,20 +209,24 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescale
                     self.place(&from, 0.5 * (to.t - from.t));
                     continue;
                 }
-                _ => return Outcome::Ended(Ending::Lost(Loss::FellThrough)),
+                _ => return (Outcome::Lost(Loss::FellThrough), state),
             }
-            let end = (time_left / scaled.time).min(to.t);
-            let (chi, dchi) = piece.at(end);
-            let (u, du) = scaled.away_from_base(chi, dchi);
-            if self.motion.is_past_return(u, du) {
-                return Outcome::Ended(Ending::Overturned);
+            state = at_end(piece.at(end));
+            if !watched && self.motion.is_past_return(state.0, state.1) {
+                return (Outcome::Overturned { after: end * scaled.time }, state);
             }
             if end < to.t {
-                return Outcome::TimeIsUp;
+                return (Outcome::TimeIsUp, state);
             }
             from = to;
         }
-        Outcome::Ended(Ending::Lost(Loss::SolverFailed))
+        (Outcome::Lost(Loss::SolverFailed), state)
+    }
+}
+
+impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescaled<'_, S> {
+    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome {
+        self.follow(launch, time_left, false).0
     }
 }
 
@@ -227,7 +254,7 @@ mod tests {
         for motion in motions(0.03, 2.0) {
             for (i, tau) in [(1.0, 0.5), (-1.0, 0.8)] {
                 for speed in [1e-6, 1e-40, 1e-130] {
-                    let scaled = Scaled::new(&motion, &Launch { i, tau, velocity: i * speed });
+                    let scaled = Scaled::new(&motion, &Launch { i, tau, rotation: 0.0, velocity: i * speed });
                     let acceleration = motion.gain() * motion.excess(i, tau).abs();
                     assert!((scaled.time / (2.0 * speed / acceleration) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
                     assert!((scaled.rotation / (speed * scaled.time) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
@@ -240,7 +267,7 @@ mod tests {
     /// Jerk and snap alone: `4 sqrt(eps (2 + eps))/omega`; and where that is long, the time in which the excitation or the balance changes things.
     #[test]
     fn the_first_flight_has_the_units_of_its_jerk() {
-        let first = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+        let first = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
         for [linear, nonlinear] in [motions(1e-4, 0.5), motions(1e-6, 1.0)] {
             let [linear, nonlinear] = [linear, nonlinear].map(|motion| Scaled::new(&motion, &first));
             let epsilon = linear.motion.a - 1.0;
@@ -261,7 +288,7 @@ mod tests {
     fn the_equation_in_units_of_the_flight_is_that_of_the_block() {
         for motion in motions(0.2, 3.0) {
             for (i, tau, velocity) in [(-1.0, 0.0, 0.0), (1.0, 0.4, 0.05), (-1.0, 0.6, -0.3)] {
-                let scaled = Scaled::new(&motion, &Launch { i, tau, velocity });
+                let scaled = Scaled::new(&motion, &Launch { i, tau, rotation: 0.0, velocity });
                 for (xi, chi) in [(0.2, 0.1), (0.7, -0.3), (1.0, 0.4)] {
                     let g = motion.forcing(i, tau).at(xi * scaled.time);
                     let unscaled = motion.acceleration(i, g, chi * scaled.rotation);
@@ -288,8 +315,8 @@ mod tests {
     #[test]
     fn the_event_has_the_sign_of_the_flight_until_its_end() {
         let [motion, _] = motions(0.03, 2.0);
-        let later = Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, velocity: 0.01 });
-        let first = Scaled::new(&motion, &Launch { i: -1.0, tau: 0.0, velocity: 0.0 });
+        let later = Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: 0.01 });
+        let first = Scaled::new(&motion, &Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 });
         assert_eq!((later.event(0.0, 0.0), first.event(0.0, 0.0), first.event(-0.1, 5.0)), (1.0, -1.0, -1.0));
         for xi in [0.25, 0.5, 2.0] {
             assert_eq!(later.event(xi, xi * (1.0 - xi)), 1.0 - xi);
@@ -301,7 +328,7 @@ mod tests {
     #[test]
     fn the_first_step_follows_the_tolerance_and_the_change_in_a_flight() {
         let [motion, _] = motions(0.03, 2.0);
-        let flight = |speed: f64| Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, velocity: speed });
+        let flight = |speed: f64| Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: speed });
         for (method, order, change) in
             [(Method::Tsit45, 5.0, 3.0), (Method::Esdirk34, 4.0, 2.0), (Method::TrBdf2, 3.0, 1.0)]
         {

@@ -15,6 +15,7 @@ mod claim;
 mod ending;
 mod equation;
 mod flight;
+mod flights;
 mod naive;
 mod piece;
 mod run;
@@ -23,7 +24,7 @@ use core::cell::Cell;
 use core::fmt;
 use core::str::FromStr;
 
-use contract::{Case, Decline, Ending, History, Invalid, Model, Oracle};
+use contract::{Case, Decline, Ending, FlightSolver, History, Invalid, Model, Oracle};
 
 use crate::equation::Motion;
 
@@ -248,5 +249,12 @@ impl Oracle for Ode {
         let [coarse, coarser] = claim::tolerances(self.rtol).map(|rtol| self.run(case, rtol));
         claim::claim(self, &mut history, &coarse?, &coarser?);
         Ok(history)
+    }
+    /// From a single run each, in its own units at the tolerance of this oracle: as accurate as its impacts, whatever [`Ode::flights`] says of whole
+    /// histories.
+    fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
+        let motion = Motion::new(case, self.equation)?;
+        let motion = motion.ok_or(Decline::Unsupported { what: "flights of a block that never rocks" })?;
+        Ok(Box::new(flights::Solver { method: self.method, rtol: self.rtol, eta: case.eta(), motion }))
     }
 }

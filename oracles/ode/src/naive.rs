@@ -3,7 +3,7 @@
 
 use core::cell::Cell;
 
-use contract::{Ending, Loss};
+use contract::Loss;
 use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
 use crate::Restart;
@@ -44,33 +44,33 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'
         let mut last = start;
         for _ in 0..MOST_STEPS {
             let Ok(reason) = self.solver.step() else {
-                return Outcome::Ended(Ending::Lost(Loss::SolverFailed));
+                return Outcome::Lost(Loss::SolverFailed);
             };
             if let OdeSolverStopReason::RootFound(t, _) = reason {
                 if self.solver.state_mut_back(t).is_err() {
-                    return Outcome::Ended(Ending::Lost(Loss::SolverFailed));
+                    return Outcome::Lost(Loss::SolverFailed);
                 }
                 return Outcome::landed(t - start, -i * self.solver.state().y[1], time_left);
             }
             let state = self.solver.state();
             let (t, u, du) = (state.t, i * state.y[0], i * state.y[1]);
             if !(t + u + du).is_finite() {
-                return Outcome::Ended(Ending::Lost(Loss::NotFinite));
+                return Outcome::Lost(Loss::NotFinite);
             }
             if t <= last {
-                return Outcome::Ended(Ending::Lost(Loss::Stalled));
+                return Outcome::Lost(Loss::Stalled);
             }
             if u <= 0.0 {
-                return Outcome::Ended(Ending::Lost(Loss::FellThrough));
+                return Outcome::Lost(Loss::FellThrough);
             }
             if t - start >= time_left {
                 return Outcome::TimeIsUp;
             }
             if self.motion.is_past_return(u, du) {
-                return Outcome::Ended(Ending::Overturned);
+                return Outcome::Overturned { after: t - start };
             }
             last = t;
         }
-        Outcome::Ended(Ending::Lost(Loss::SolverFailed))
+        Outcome::Lost(Loss::SolverFailed)
     }
 }

@@ -5,7 +5,7 @@ use core::cell::Cell;
 use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
 use diffsol::{
     DiffsolError, NalgebraContext, NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquationsImplicit,
-    OdeSolverProblem,
+    OdeSolverMethod, OdeSolverProblem,
 };
 
 use crate::equation::Motion;
@@ -29,11 +29,13 @@ pub(crate) trait Equations:
 }
 impl<E: OdeEquationsImplicit<M = Matrix, V = NalgebraVec<f64>, T = f64, C = NalgebraContext>> Equations for E {}
 
-/// How a flight starts: its sign, the time, and the velocity just after the impact (0 in the first).
+/// How a flight starts: its sign, the time, and the velocity just after the impact (0 in the first). The rotation is 0, but for a flight that is taken
+/// up in the air.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Launch {
     pub i: f64,
     pub tau: f64,
+    pub rotation: f64,
     pub velocity: f64,
 }
 
@@ -43,17 +45,19 @@ pub(crate) enum Outcome {
     Impact { interval: f64, speed: f64 },
     /// It was still in the air when the time was up.
     TimeIsUp,
-    /// In a way that ends the history.
-    Ended(Ending),
+    /// Past the point from which no return is possible, so long after its start.
+    Overturned { after: f64 },
+    /// It was lost.
+    Lost(Loss),
 }
 
 impl Outcome {
     /// The impact, if it is one, and if it comes in time.
     pub fn landed(interval: f64, speed: f64, time_left: f64) -> Self {
         if !(interval.is_finite() && speed.is_finite() && speed > 0.0) {
-            Self::Ended(Ending::Lost(Loss::NotFinite))
+            Self::Lost(Loss::NotFinite)
         } else if interval <= 0.0 {
-            Self::Ended(Ending::Lost(Loss::Stalled))
+            Self::Lost(Loss::Stalled)
         } else if interval >= time_left {
             Self::TimeIsUp
         } else {
@@ -76,7 +80,7 @@ pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evalua
         chattering_time: None,
     };
     match ode.flights {
-        Flights::Rescaled => rescaled(ode.method, case, motion, rtol, evaluations),
+        Flights::Rescaled => rescaled(ode.method, motion, rtol, evaluations, Follow { case, motion }),
         Flights::Naive => naive(ode, case, motion, rtol, evaluations),
     }
     .unwrap_or_else(failed)
@@ -94,14 +98,37 @@ macro_rules! with_solver {
     };
 }
 
-fn rescaled(
+/// What is done with a solver of rescaled flights, whichever type it is of.
+pub(crate) trait Task {
+    /// What comes of it.
+    type Output;
+    /// Does it.
+    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, S>) -> Self::Output;
+}
+
+/// A whole history.
+struct Follow<'a> {
+    case: &'a Case,
+    motion: &'a Motion,
+}
+
+impl Task for Follow<'_> {
+    type Output = History;
+
+    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, S>) -> History {
+        follow(self.case, self.motion, flight)
+    }
+}
+
+/// Makes a solver that flies each flight in its own units, and does `task` with it.
+pub(crate) fn rescaled<T: Task>(
     method: Method,
-    case: &Case,
     motion: &Motion,
     rtol: f64,
     evaluations: &Cell<u64>,
-) -> Result<History, DiffsolError> {
-    let first = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+    task: T,
+) -> Result<T::Output, DiffsolError> {
+    let first = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
     let units = &Cell::new(Scaled::new(motion, &first));
     let mut problem = OdeBuilder::<Matrix>::new()
         .rtol(rtol)
@@ -130,11 +157,7 @@ fn rescaled(
         .init(|_, _, y| y.fill(0.0), 2)
         .build()?;
     tame(&mut problem, method);
-    with_solver!(method, problem, |solver| follow(
-        case,
-        motion,
-        Rescaled { solver, units, motion: *motion, method, rtol }
-    ))
+    with_solver!(method, problem, |solver| task.run(Rescaled { solver, units, motion: *motion, method, rtol }))
 }
 
 fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<u64>) -> Result<History, DiffsolError> {
@@ -191,18 +214,19 @@ fn follow<'a, E: Equations + 'a>(case: &Case, motion: &Motion, mut flight: impl 
     };
     let mut impacts = Vec::with_capacity(case.max_impacts().min(1024));
     let mut clock = Clock::default();
-    let mut launch = Launch { i: -1.0, tau: 0.0, velocity: 0.0 };
+    let mut launch = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
     let mut certain = false;
     let ending = loop {
         let (interval, speed) = match flight.fly(&launch, clock.left_until(horizon)) {
             Outcome::Impact { interval, speed } => (interval, speed),
             Outcome::TimeIsUp => break out_of_time,
-            Outcome::Ended(ending) => break ending,
+            Outcome::Overturned { .. } => break Ending::Overturned,
+            Outcome::Lost(loss) => break Ending::Lost(loss),
         };
         clock.advance(interval);
         // Eq. 13: the velocity keeps its sign, and so is that of the flight that follows.
         let i = -launch.i;
-        launch = Launch { i, tau: clock.now, velocity: i * case.eta() * speed };
+        launch = Launch { i, tau: clock.now, rotation: 0.0, velocity: i * case.eta() * speed };
         impacts.push(Impact { time: clock.now, interval, velocity: launch.velocity, uncertainty: NO_CLAIM });
         certain = certain || motion.comes_to_rest(case.eta(), clock.now, launch.velocity.abs());
         let too_short = interval < LEAST_INTERVAL;
@@ -247,15 +271,16 @@ mod tests {
         let of = |interval, speed| match Outcome::landed(interval, speed, 1.0) {
             Outcome::Impact { interval, speed } => Ok((interval, speed)),
             Outcome::TimeIsUp => Err(None),
-            Outcome::Ended(ending) => Err(Some(ending)),
+            Outcome::Lost(loss) => Err(Some(loss)),
+            Outcome::Overturned { .. } => panic!("nothing overturns here"),
         };
         assert_eq!((of(0.25, 3.0), of(1e-300, 1e-300)), (Ok((0.25, 3.0)), Ok((1e-300, 1e-300))));
         assert_eq!((of(1.0, 3.0), of(7.0, 3.0)), (Err(None), Err(None)));
         for (interval, speed) in [(f64::NAN, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 0.0), (0.5, -1.0)] {
-            assert_eq!(of(interval, speed), Err(Some(Ending::Lost(Loss::NotFinite))), "{interval} {speed}");
+            assert_eq!(of(interval, speed), Err(Some(Loss::NotFinite)), "{interval} {speed}");
         }
         for interval in [0.0, -0.5] {
-            assert_eq!(of(interval, 1.0), Err(Some(Ending::Lost(Loss::Stalled))));
+            assert_eq!(of(interval, 1.0), Err(Some(Loss::Stalled)));
         }
     }
 
