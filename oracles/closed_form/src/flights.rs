@@ -1,6 +1,6 @@
 //! Flights one at a time, from anywhere: what whole responses are made of.
 
-use contract::{Arrival, Case, Departure, FlightSolver, Ground, Loss};
+use contract::{Arrival, Case, Departure, Estimate, FlightSolver, Ground, Loss};
 
 use crate::{
     flight::{Outcome, Takeoff},
@@ -17,12 +17,18 @@ pub(crate) struct Flights {
     excitation: Excitation,
     flow: Flow<f64>,
     shaken: ProofOfRest,
+    eta: f64,
 }
 
 impl Flights {
     pub fn new(case: &Case) -> Self {
         let excitation = Excitation::new(case.epsilon(), case.omega());
-        Self { flow: Flow::new(case.omega()), shaken: ProofOfRest::new(&excitation, case.eta()), excitation }
+        Self {
+            flow: Flow::new(case.omega()),
+            shaken: ProofOfRest::new(&excitation, case.eta()),
+            eta: case.eta(),
+            excitation,
+        }
     }
 
     fn takeoff(&self, departure: &Departure, horizon: f64) -> Takeoff<'_> {
@@ -102,5 +108,10 @@ impl FlightSolver for Flights {
             Ground::Still => departure.velocity < 1.0,
             Ground::Shaking => self.shaken.holds(&self.takeoff(departure, 0.0).forcing, departure.velocity),
         }
+    }
+
+    fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
+        let free = departure.ground == Ground::Still && departure.rotation == 0.0;
+        free.then(|| still::time_to_rest(departure.velocity, self.eta)).flatten()
     }
 }

@@ -68,8 +68,9 @@ pub(crate) fn follow(takeoff: &Takeoff, mut state: (f64, f64)) -> End {
     for _ in 0..STEPS {
         let (rotation, velocity) = state;
         size = size.max(rotation.abs() + velocity.abs());
-        // (u + u')' = u + u' - 1 - i f is positive from here on, so u + u' stays positive: u cannot come down through zero.
-        if rotation + velocity > 1.0 + amplitude {
+        // (u + u')' = u + u' - 1 - i f is positive from here on, so u + u' stays above 1 + a: u cannot come down through zero, nor can it once the ground
+        // is at rest, where 1 is enough. A step may have gone past the horizon, and what comes after that is not known.
+        if rotation + velocity > 1.0 + amplitude && elapsed.high <= horizon {
             return End::Overturned(elapsed.value());
         }
         if elapsed.high >= horizon {

@@ -3,7 +3,7 @@
 //! With `w = 1 - u`, `w'' = w`: the energy `w² - w'²` is kept, and `w + w'` grows as `e^s`. The block lands where `w = 1`, with the speed
 //! `sqrt(u'² + u(2 - u))`, if `w + w'` is positive, `u + u' < 1`; otherwise it never does.
 
-use contract::Arrival;
+use contract::{Arrival, Estimate};
 
 /// The flight from the rotation `u >= 0` with the velocity `v`, both away from the base.
 pub(crate) fn fly((u, v): (f64, f64), horizon: f64) -> Arrival {
@@ -27,6 +27,46 @@ pub(crate) fn motion((u, v): (f64, f64), s: f64) -> (f64, f64) {
     let half = (0.5 * s).sinh();
     let (sinh, cosh_less_one) = (s.sinh(), 2.0 * half * half);
     (u + (v * sinh - (1.0 - u) * cosh_less_one), v + (v * cosh_less_one - (1.0 - u) * sinh))
+}
+
+/// How many flights are summed one by one at the most, and how many terms of the series are: of the two only one is needed unless the block both
+/// comes next to the balance and hardly loses any speed.
+const MOST_FLIGHTS: f64 = 2e5;
+const MOST_TERMS: u32 = 1_000_000;
+/// Up to which speed the series is short.
+const SLOW: f64 = 0.5;
+/// What rounding leaves of the sum, relative.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// How long infinitely many flights take that start with the speeds `v, ηv, η²v, ...`: `2 Σ artanh(η^k v)`, from 0 on; `None` where the block would pass the
+/// balance, `v >= 1`.
+///
+/// The fast ones are summed one by one, and those that are left by powers of `v`: `2 Σ v^m/(m (1 - η^m))` over the odd `m`.
+pub(crate) fn time_to_rest(v: f64, eta: f64) -> Option<Estimate> {
+    if !(0.0..1.0).contains(&v) {
+        return None;
+    }
+    let rate = eta.ln();
+    let mut flight = 0.0;
+    let mut sum = 0.0;
+    let mut slow = v;
+    while slow > SLOW && flight < MOST_FLIGHTS {
+        sum += 2.0 * slow.atanh();
+        flight += 1.0;
+        slow = v * (rate * flight).exp();
+    }
+    let (mut power, mut m) = (slow, 1.0);
+    for _ in 0..MOST_TERMS {
+        let term = 2.0 * power / (m * -(m * rate).exp_m1());
+        sum += term;
+        // The terms fall faster than those of the geometric series with this ratio.
+        if term <= 0.5 * f64::EPSILON * (1.0 - slow * slow) * sum {
+            return Some(Estimate { value: sum, uncertainty: (ROUNDING + 0.5 * f64::EPSILON * flight.sqrt()) * sum });
+        }
+        power *= slow * slow;
+        m += 2.0;
+    }
+    None
 }
 
 #[cfg(test)]
@@ -87,6 +127,43 @@ mod tests {
             assert_relative_eq!(interval, 2.0 * f64::atanh(v), max_relative = 4e-16);
             assert_relative_eq!(speed, v, max_relative = 1e-15);
         }
+    }
+
+    /// Against the flights themselves, one after another, as long as they count; and the sums of nothing and next to nothing.
+    #[test]
+    fn the_sum_of_free_rocking_is_that_of_its_flights() {
+        for (v, eta) in [(0.2, 0.5), (0.9, 0.92), (0.999_999, 0.8), (0.7, 0.999), (0.3, 0.05)] {
+            let (mut speed, mut sum): (f64, f64) = (v, 0.0);
+            while speed > 1e-18 * v {
+                sum += landing((0.0, speed)).0;
+                speed *= eta;
+            }
+            let closed = time_to_rest(v, eta).unwrap();
+            assert!((closed.value - sum).abs() <= 2e-13 * sum, "{v} {eta}: {closed:?} {sum}");
+            assert!(closed.uncertainty < 1e-13 * sum);
+        }
+        assert_relative_eq!(time_to_rest(1e-300, 0.9).unwrap().value, 2e-299, max_relative = 1e-14);
+        assert_eq!(time_to_rest(0.0, 0.9).unwrap().value, 0.0);
+        assert!(time_to_rest(1.0, 0.9).is_none() && time_to_rest(f64::NAN, 0.9).is_none());
+    }
+
+    const REFERENCES: [(f64, f64, f64); 4] = [
+        (0.5, 0.9999, 10306.581315187809695),
+        (0.99, 0.9999, 24042.958681436239370),
+        (0.9, 0.999999, 2051878.3484443742619),
+        (0.001, 0.99999999, 200000.02121727848693),
+    ];
+
+    /// Calculated once with 40 digits: `2 Σ artanh(η^k v)`.
+    #[test]
+    fn hardly_damped_rocking_is_summed_to_the_last_digits() {
+        for (v, eta, expected) in REFERENCES {
+            let closed = time_to_rest(v, eta).unwrap();
+            assert!((closed.value - expected).abs() <= closed.uncertainty, "{v} {eta}: {closed:?}");
+            assert!(closed.uncertainty < 1e-12 * expected);
+        }
+        // Next to the balance with hardly any loss there is no short way.
+        assert!(time_to_rest(1.0 - 1e-9, 1.0 - 1e-12).is_none());
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! Single flights from anywhere: the motion is that of Eq. 4, and the impact is the first time that it comes back to the base.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use closed_form::ClosedForm;
 use contract::{Arrival, Case, Departure, Ground, Oracle};
@@ -75,4 +75,61 @@ proptest! {
             prop_assert!(u.abs() < 1e-12 * size && (v + speed).abs() < 1e-9 * size, "{} {departure:?}: {u:e} {v} {speed}", WAYS[way]);
         }
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Nothing is called overturned by a motion of the ground that is beyond the horizon: where it is, it overturns as well on ground that stops there.
+    #[test]
+    fn overturning_is_certain_whenever_the_ground_stops(
+        epsilon in 0.3..6.0f64, omega in 0.3..3.0f64, share in 0.01..1.0f64, horizon in 0.05..4.0f64,
+    ) {
+        let case = Case::from_epsilon(epsilon, omega, 0.9).unwrap();
+        let flights = ClosedForm.flights(&case).unwrap();
+        let over = 2.0 * (1.0 / case.amplitude()).acos() / omega;
+        let start =
+            Departure { ground: Ground::Shaking, time: share * over, side: -1.0, rotation: 0.0, velocity: 0.0 };
+        let (rotation, velocity) = match flights.fly(&start, horizon) {
+            Arrival::Overturned { after } => {
+                prop_assert!(after <= horizon);
+                flights.motion(&start, after)
+            }
+            Arrival::Aloft { rotation, velocity } => {
+                // The state is that of the horizon, from where the free flight has its own say.
+                prop_assert_eq!((rotation, velocity), flights.motion(&start, horizon));
+                return Ok(());
+            }
+            _ => return Ok(()),
+        };
+        let still = Departure { ground: Ground::Still, rotation, velocity, ..start };
+        prop_assert_eq!(flights.fly(&still, 1e3), Arrival::Overturned { after: 0.0 });
+    }
+}
+
+/// The ground stops after a quarter of a cycle. The block overturns if `u + u' > 1` then, and from no amplitude below: by Eq. 6 and the growing part of free
+/// rocking, that is from a = 1.97010957 on.
+#[test]
+fn a_block_overturns_after_a_quarter_of_a_cycle_from_the_right_amplitude_on() {
+    let overturns = |a: f64| {
+        let case = Case::from_amplitude(a, 1.0, 0.9).unwrap();
+        let flights = ClosedForm.flights(&case).unwrap();
+        // The motion starts with phase 0; time is counted from the threshold, the block leaves there.
+        let lasts = std::f64::consts::FRAC_PI_2 - (1.0 / a).asin();
+        let start = Departure { ground: Ground::Shaking, time: 0.0, side: -1.0, rotation: 0.0, velocity: 0.0 };
+        match flights.fly(&start, lasts) {
+            Arrival::Overturned { .. } => true,
+            Arrival::Aloft { rotation, velocity } => {
+                let still = Departure { ground: Ground::Still, rotation, velocity, ..start };
+                matches!(flights.fly(&still, 1e3), Arrival::Overturned { .. })
+            }
+            other => panic!("{other:?}"),
+        }
+    };
+    let (mut low, mut high) = (1.5, 2.5);
+    while high - low > 1e-12 {
+        let middle = 0.5 * (low + high);
+        if overturns(middle) { high = middle } else { low = middle }
+    }
+    assert!((low - 1.970_109_57).abs() < 5e-9, "{low}");
 }

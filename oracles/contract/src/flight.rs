@@ -1,4 +1,4 @@
-use crate::Loss;
+use crate::{Estimate, Loss};
 
 /// A method that follows one flight at a time, from anywhere: what whole responses are made of, with what a [`Case`](crate::Case) does not
 /// have (a motion of the ground that starts above the threshold, or ends).
@@ -6,6 +6,10 @@ use crate::Loss;
 /// It is of one case: its model, amplitude, frequency and restitution.
 pub trait FlightSolver: Send + Sync {
     /// Where the flight ends, if it does within `horizon` (a duration in `τ`, above 0).
+    ///
+    /// Until the horizon the ground does what the departure says; what it does after it is not known, but that it may come to rest. So nothing is
+    /// concluded from a motion of the ground beyond the horizon, and [`Arrival::Overturned`] has to hold for a ground that stops there as for one that
+    /// goes on.
     fn fly(&self, departure: &Departure, horizon: f64) -> Arrival;
 
     /// The rotation and the velocity, both counted away from the base (`iφ` and `iφ'`), a time `s` after the departure, which is not
@@ -15,6 +19,13 @@ pub trait FlightSolver: Send + Sync {
     /// Whether it is certain that infinitely many impacts follow this departure from the base and accumulate while the ground still holds the
     /// block down, provided that the ground goes on as it does.
     fn rests(&self, departure: &Departure) -> bool;
+
+    /// How long it takes until infinitely many impacts have accumulated after this departure from the base, on ground that stays at rest: the whole
+    /// sum of free rocking, which does not have to be followed. `None` where they don't accumulate, on shaking ground, and from a solver that only
+    /// flies.
+    fn time_to_rest(&self, _departure: &Departure) -> Option<Estimate> {
+        None
+    }
 }
 
 /// What the ground does during a flight.
@@ -59,7 +70,8 @@ pub enum Arrival {
         /// The velocity away from the base.
         velocity: f64,
     },
-    /// Past the point from which no return is possible, so long after the departure.
+    /// Past the point from which no return is possible, so long after the departure, which is not after the horizon: whether the ground goes on as it
+    /// does or comes to rest at any time from then on.
     Overturned {
         /// When that is certain, in `τ` after the departure.
         after: f64,

@@ -1,10 +1,11 @@
 //! Flights one at a time, from anywhere: what whole responses are made of.
 
-use contract::{Arrival, Departure, FlightSolver, Ground};
+use contract::{Arrival, Departure, Estimate, FlightSolver, Ground};
 
 use crate::{
     equation::Block,
     flight::{Course, Landing, follow},
+    still::Still,
 };
 
 /// The flights of one block under one motion of the ground.
@@ -43,7 +44,12 @@ impl FlightSolver for Flights {
         match departure.ground {
             Ground::Shaking => self.0.certainly_rests(departure.time, departure.velocity),
             // The energy φ'²/2 - (cos(α(1 - u)) - cos α)/α² is kept, so a flight lands as fast as it left, if it does not pass the balance u = 1.
-            Ground::Still => departure.velocity < 2.0 * (0.5 * self.0.alpha).sin() / self.0.alpha,
+            Ground::Still => departure.velocity < Still::new(self.0.alpha).fastest(),
         }
+    }
+
+    fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
+        let free = departure.ground == Ground::Still && departure.rotation == 0.0;
+        free.then(|| Still::new(self.0.alpha).time_to_rest(departure.velocity, self.0.eta)).flatten()
     }
 }

@@ -10,6 +10,7 @@ pub mod flight;
 mod flights;
 pub mod sequence;
 pub mod series;
+mod still;
 #[cfg(test)]
 mod tests;
 
