@@ -70,7 +70,7 @@ fn tail(last: &[f64; WINDOW], terms: usize, least_ratio: f64) -> Option<(f64, f6
 }
 
 /// What is left out by this count is the error nearly exactly; at worst, in intervals to the lowest order, the error was 1.4 times that
-/// (`tests/orders.rs`).
+/// (`tests/asymptotic/orders.rs`).
 const SAFETY: f64 = 1.5;
 /// Of a coefficient and the sum, in units of the last place of the terms; each power of `ε` adds one.
 const ROUNDING: f64 = 10.0;

@@ -8,3 +8,6 @@ mod motion;
 mod nearest;
 mod rest;
 mod series;
+
+#[path = "../../../tests/effort/mod.rs"]
+mod effort;

@@ -33,7 +33,7 @@ pub(crate) struct Claim {
 }
 
 /// The calibrated constants: 1.3 times the largest error met, or more, in 6000 random cases with `η` in [0.05, 0.995], `ω` from 0.02 to 20 and
-/// `ε` from 1e-8 to 0.98 of the critical one, over the first 60 impacts of each (`tests/claim.rs`, which measures them again). Largest error
+/// `ε` from 1e-8 to 0.98 of the critical one, over the first 60 impacts of each (`tests/asymptotic/claim.rs`, which measures them again). Largest error
 /// over claim there: time 0.76, interval 0.73, velocity 0.67, chattering time 0.76; in the median 0.28, 0.28, 0.30, 0.28.
 const TIME: f64 = 0.8;
 const INTERVAL: f64 = 5.0;

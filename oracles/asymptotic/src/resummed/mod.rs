@@ -123,7 +123,7 @@ impl Resummed {
     }
 }
 
-/// The largest error met in random cases (`tests/resummed.rs`) was 0.6 of the claim, so 2.4 times the difference between the sums.
+/// The largest error met in random cases (`tests/asymptotic/resummed.rs`) was 0.6 of the claim, so 2.4 times the difference between the sums.
 const SAFETY: f64 = 4.0;
 /// Of `H`, which is 1 at `ε = 0`.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

@@ -1,11 +1,8 @@
 //! What every history obeys, by properties of random cases.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
-mod common;
-
+use crate::common::{Flight, inside};
 use approx::assert_relative_eq;
 use closed_form::ClosedForm;
-use common::{Flight, inside};
 use contract::{Case, Ending, History, Horizon, Impact, Oracle};
 use proptest::prelude::*;
 

@@ -1,8 +1,6 @@
 //! How right the impacts are, and how honest the claims.
 
-mod common;
-
-use common::{Random, case, impacts, linear};
+use crate::common::{Random, case, impacts, linear};
 use contract::{Case, Ending, History, Normalisation, Oracle, Slenderness};
 use ode::{Equation, Method, Ode};
 

@@ -1,5 +1,4 @@
 //! What a case may hold, to the last bit of each border, and that it holds what it was given.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use contract::{Case, Decline, History, Horizon, Invalid, Model, Normalisation, Oracle, Sensitivity, Slenderness};
 

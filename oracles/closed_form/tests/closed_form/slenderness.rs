@@ -1,10 +1,7 @@
 //! How the impacts move with the slenderness, against Eq. 2 as it is printed and against the perturbation of it about Eq. 4 by quadrature.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
-mod common;
-
+use crate::common::{Flight, inside};
 use closed_form::ClosedForm;
-use common::{Flight, inside};
 use contract::{Case, Horizon, Oracle};
 use proptest::prelude::*;
 

@@ -1,9 +1,6 @@
 //! The series to any order: its coefficients, what it claims, and where it declines.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
-#![allow(clippy::excessive_precision)] // The references are given with more digits than a double has.
 
-mod exact;
-
+use crate::{effort::pick, exact};
 use asymptotic::{Asymptotic, Expansion, Order, coefficients};
 use contract::{Case, Decline, Ending, Oracle};
 
@@ -162,7 +159,8 @@ fn the_claims_cover_the_errors_of_impacts() {
     let mut uniform = exact::uniform(0x51AB_2D0C_90F1_37E5);
     let mut ratios: Vec<(f64, String)> = Vec::new();
     let mut answered = 0;
-    for _ in 0..150 {
+    let cases = pick("random cases of the series to any order", 30, 150);
+    for _ in 0..cases {
         let (omega, eta) = (0.1 * 200_f64.powf(uniform()), 0.02 + 0.96 * uniform());
         let critical = exact::critical(omega, eta);
         for order in [1, 2, 4, 16, 48] {
@@ -196,7 +194,7 @@ fn the_claims_cover_the_errors_of_impacts() {
         println!("{ratio} {what}");
     }
     println!("{answered} answered");
-    assert!(answered > 400 && ratios[0].0 < 1.0, "{answered} answered, {:?}", ratios[0]);
+    assert!(answered > 400 * cases / 150 && ratios[0].0 < 1.0, "{answered} answered, {:?}", ratios[0]);
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! The enclosures contain values of 46 to 60 digits that were made by other methods: `data/reference` for the linear equation,
 //! `nonlinear_impacts.csv` (see its head) for the nonlinear one.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use std::collections::BTreeMap;
 
@@ -100,7 +99,7 @@ fn linear_chattering_times() {
 
 #[test]
 fn nonlinear_impacts_and_chattering_times() {
-    let cases = table(&read("tests/nonlinear_impacts.csv"), 5);
+    let cases = table(&read("tests/enclosure/nonlinear_impacts.csv"), 5);
     let mut checked = 0;
     for (key, rows) in &cases {
         let p = numbers(key);

@@ -1,5 +1,4 @@
 //! Whatever is asked ends, in an answer or a decline.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use contract::{Case, Decline, Ending, Horizon, Limit, Model, Normalisation, Oracle, Slenderness};
 use enclosure::{Bounds, Enclosed, Enclosure};

@@ -1,5 +1,4 @@
 //! Numbers from Eq. 6 evaluated with mpmath to 50 digits, of which a double holds 17.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use approx::assert_relative_eq;
 use closed_form::ClosedForm;

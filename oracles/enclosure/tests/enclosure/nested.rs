@@ -1,5 +1,4 @@
 //! More digits are inside fewer, for cases at random.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use contract::{Case, Model, Normalisation, Slenderness};
 use enclosure::{Bounds, Enclosed, Enclosure};

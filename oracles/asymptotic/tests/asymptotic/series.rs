@@ -1,9 +1,6 @@
 //! The series against its known values, against Eq. 4 itself, and at its ends.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
-#![allow(clippy::excessive_precision)] // The references are given with more digits than a double has.
 
-mod exact;
-
+use crate::exact;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use asymptotic::{Asymptotic, coefficients};

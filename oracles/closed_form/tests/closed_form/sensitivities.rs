@@ -1,5 +1,4 @@
 //! The derivatives of every impact against differences of two histories.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing)] // Test code fails by panicking.
 
 use closed_form::ClosedForm;
 use contract::{Case, Horizon, Oracle};

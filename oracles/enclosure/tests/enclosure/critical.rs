@@ -1,6 +1,6 @@
 //! The critical amplitude, the endings on both sides of it, and how narrow everything is below it.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
+use crate::effort::pick;
 use contract::{Case, Ending, Model, Normalisation, Slenderness};
 use enclosure::{Enclosure, critical_amplitude};
 
@@ -47,18 +47,17 @@ fn known_values() {
 
 #[test]
 fn moderate_restitution() {
-    for eta in [0.5, 0.7, 0.85] {
-        for omega in [0.5, 2.0, 8.0] {
-            check(omega, eta);
-        }
+    let all = [0.5, 2.0, 8.0].map(|omega| [0.5, 0.7, 0.85].map(|eta| (omega, eta))).concat();
+    for (omega, eta) in pick("critical amplitudes", vec![all[1], all[3], all[8]], all) {
+        check(omega, eta);
     }
 }
 
 #[test]
 fn high_restitution() {
-    check(2.0, 0.92);
-    check(0.5, 0.97);
-    check(8.0, 0.97);
+    for (omega, eta) in pick("critical amplitudes", vec![(2.0, 0.92)], vec![(2.0, 0.92), (0.5, 0.97), (8.0, 0.97)]) {
+        check(omega, eta);
+    }
 }
 
 /// Pairs at which the search once asked for a margin between bounds that had crossed.
@@ -73,8 +72,8 @@ fn the_search_ends_where_the_prediction_is_within_a_hair() {
 /// A worse search proves the same, later. The last digit of a power may differ between machines, and with it one amplitude.
 #[test]
 fn the_search_tries_as_few_amplitudes_as_it_did() {
-    let recorded = [(2.0, 0.92, 13), (0.5, 0.5, 30), (8.0, 0.7, 13), (1.0, 0.65, 17), (5.0, 0.85, 13), (0.5, 0.97, 14)];
-    for (omega, eta, recorded) in recorded {
+    let recorded = [(0.5, 0.5, 30), (8.0, 0.7, 13), (1.0, 0.65, 17), (5.0, 0.85, 13), (2.0, 0.92, 13), (0.5, 0.97, 14)];
+    for &(omega, eta, recorded) in &recorded[..pick("critical amplitudes", 4, 6)] {
         let tried = critical_amplitude(omega, eta).unwrap().tried;
         assert!(tried.abs_diff(recorded) <= 1, "{omega} {eta}: {tried} instead of {recorded}");
     }

@@ -1,5 +1,4 @@
 //! Above the critical amplitude flights are long and graze: the impact is the first root, by a dense scan of the solution in closed form.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
 use contract::{Case, Horizon, Model, Oracle};
 use enclosure::Enclosure;

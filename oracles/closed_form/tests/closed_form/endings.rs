@@ -1,10 +1,7 @@
 //! Why a history ends, and which cases are declined.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::expect_used)]
 
-mod common;
-
+use crate::common::{Flight, inside};
 use closed_form::ClosedForm;
-use common::{Flight, inside};
 use contract::{Case, Decline, Ending, History, Horizon, Limit, Oracle};
 use core::f64::consts::PI;
 use proptest::prelude::*;

@@ -83,12 +83,17 @@ impl Flight {
 
     fn deflated(&self, s: f64) -> f64 {
         let d = if self.first { 3 } else { 1 };
-        let (mut sum, mut power) = (0.0, 1.0 / if self.first { 6.0 } else { 1.0 });
+        let (mut sum, mut size, mut power) = (0.0, 0.0_f64, 1.0 / if self.first { 6.0 } else { 1.0 });
+        // The derivatives grow no faster than the powers of this.
+        let rate = self.omega.max(1.0);
+        let mut bound = power * rate.powi(d as i32);
         for (k, derivative) in self.derivatives.iter().enumerate().skip(d) {
             let term = derivative * power;
             sum += term;
+            size = size.max(term.abs());
             power *= s / (k + 1) as f64;
-            if power.abs() * self.omega.max(1.0).powi(k as i32 + 1) < 1e-20 * sum.abs() {
+            bound *= rate * s / (k + 1) as f64;
+            if bound < 1e-20 * size {
                 break;
             }
         }
@@ -104,21 +109,39 @@ impl Flight {
         sum
     }
 
-    /// First root, by growing `s` from below the shortest possible flight until the sign of `φ` turns, then bisecting.
+    /// First root, by growing `s` from below the shortest possible flight until the sign of `φ` turns, then by regula falsi (Illinois).
     fn duration(&self, left: f64) -> Option<f64> {
+        let at = |s: f64| self.deflated(s) * self.sign;
         let (mut low, mut high) = (0.0, self.scale);
-        while self.deflated(high) * self.sign > 0.0 {
-            low = high;
+        let (mut above, mut below) = (at(low), at(high));
+        while below > 0.0 {
+            (low, above) = (high, below);
             high *= 1.03;
+            below = at(high);
             if low > left {
                 return None;
             }
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if self.deflated(middle) * self.sign > 0.0 { low = middle } else { high = middle }
+        let (mut last, mut root) = (0, high);
+        for _ in 0..100 {
+            let s = (low * below - high * above) / (below - above);
+            // Where rounding leads out of the bracket there is nothing more to find.
+            if !(s > low && s < high) || (s - root).abs() <= 1e-16 * s {
+                break;
+            }
+            root = s;
+            let value = at(s);
+            let side = if value > 0.0 { 1 } else { -1 };
+            // Halving the value at an end that stays keeps the other one moving.
+            let stays = if side == last { 0.5 } else { 1.0 };
+            if value > 0.0 {
+                (low, above, below) = (s, value, below * stays)
+            } else {
+                (high, below, above) = (s, value, above * stays)
+            }
+            last = side;
         }
-        Some(0.5 * (low + high)).filter(|s| *s < left)
+        Some(root).filter(|s| *s < left)
     }
 }
 

@@ -1,5 +1,4 @@
 //! Single flights from anywhere: the motion is that of Eq. 4, and the impact is the first time that it comes back to the base.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 use closed_form::ClosedForm;
 use contract::{Arrival, Case, Departure, Ground, Oracle};

@@ -1,0 +1,14 @@
+//! Event stepping in closed form: laws of every history, endings, references, batches.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
+
+mod batch;
+mod common;
+mod endings;
+mod flights;
+mod laws;
+mod references;
+mod sensitivities;
+mod slenderness;
+
+#[path = "../../../../tests/effort/mod.rs"]
+mod effort;

@@ -1,0 +1,4 @@
+//! The words that are shared.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
+
+mod cases;

@@ -1,0 +1,11 @@
+//! The judge: references inside, more digits inside fewer, first roots, critical amplitudes.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
+
+mod critical;
+mod first_root;
+mod hard;
+mod nested;
+mod references;
+
+#[path = "../../../../tests/effort/mod.rs"]
+mod effort;
