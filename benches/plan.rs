@@ -39,7 +39,7 @@ fn timed<T>(of: &[T], run: impl Fn(&T)) -> f64 {
 fn main() {
     let questions = evidence::questions(1, QUESTIONS).unwrap();
     let plans: Vec<Plan> = questions.iter().map(|question| Plan::new(*question)).collect();
-    let judge = panel::enclosure_of(Model::Nonlinear);
+    let judge = enclosure::Enclosure::new(Model::Nonlinear);
     let mut wrong = 0;
     for plan in plans.iter().step_by(SAMPLE) {
         let case = plan.question.case.with_max_impacts(20).unwrap();

@@ -2,15 +2,16 @@ use anyhow::{anyhow, bail};
 use chattercheck::{
     measure::observables::Observed,
     motion::plan::{Outcome, Plan, Question},
-    panel::Enclosure,
+    panel::{self, Method, Proven, Refused, Role},
 };
 use clap::Args;
-use contract::{Case, Ending, Invalid, Oracle as _};
+use contract::{Case, Ending, Oracle};
 use serde::Serialize;
 
 use super::{
     Status,
-    case_flags::{CaseFlags, OracleFlags},
+    case_flags::CaseFlags,
+    oracle_flags::{Asked, OracleFlags},
     output::Format,
 };
 
@@ -58,48 +59,63 @@ struct Answer<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let mut impacts = arguments.impacts.unwrap_or(64);
-    arguments.oracle.remark(&arguments.case)?;
-    let mut case = arguments.case.case(impacts)?;
-    match (arguments.oracle.enclosure(&arguments.case, &case)?, arguments.digits) {
-        (Some(enclosure), None) => return enclosed(arguments, &enclosure, &case),
-        (Some(enclosure), Some(digits)) => return enclosed(arguments, &enclosure.with_digits(digits)?, &case),
-        (None, Some(digits)) => return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into()),
-        (None, None) => {}
+    let Arguments { case: flags, oracle, digits, .. } = arguments;
+    let case = flags.case(arguments.impacts.unwrap_or(64))?;
+    let oracle = match oracle.asked(flags, &case, *digits)? {
+        Asked::Auto(question) => return planned(arguments, question),
+        Asked::Oracle(oracle) => oracle,
+    };
+    arguments.refuse_impacts(oracle.name())?;
+    if let Some(proven) = arguments.oracle.proven(flags, &case, *digits)? {
+        return enclosed(arguments, &proven, &case);
     }
-    if let Some(question) = arguments.oracle.question(&arguments.case, &case)? {
-        return planned(arguments, question);
-    }
-    let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
-    let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
-    // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
-    let fewest = || arguments.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten();
-    let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
-    let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
-    // Not told how many, take more impacts as long as they sharpen the answer and the oracle can do more.
-    while arguments.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
-        impacts *= 2;
-        case = case.with_max_impacts(impacts)?;
-        match ask(&case) {
-            Ok(sharper) => observed = sharper,
-            Err(_) => break,
-        }
-    }
+    let (case, observed) = arguments.observe(oracle.as_ref(), case)?;
     let mut answer = answer(oracle.name(), &case, &observed);
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
     Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
 }
 
+impl Arguments {
+    /// An oracle with a sum of its own has one chattering time, however many impacts are listed.
+    fn refuse_impacts(&self, oracle: &str) -> Result<(), Refused> {
+        let sums = |method: &Method| method.roles.contains(&Role::OwnSum);
+        match self.impacts {
+            Some(impacts) if panel::method(oracle).is_some_and(sums) => {
+                Err(Refused::unused("impacts", impacts, oracle, |method| !sums(method)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What the oracle says, with as many impacts as are asked for, or else as many as sharpen the answer and it can do; and the case with so many.
+    fn observe(&self, oracle: &dyn Oracle, mut case: Case) -> anyhow::Result<(Case, Observed)> {
+        let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
+        // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
+        let fewest = || self.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten();
+        let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
+        let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
+        let mut impacts = case.max_impacts();
+        while self.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
+            impacts *= 2;
+            case = case.with_max_impacts(impacts)?;
+            match ask(&case) {
+                Ok(sharper) => observed = sharper,
+                Err(_) => break,
+            }
+        }
+        Ok((case, observed))
+    }
+}
+
 /// The answer of the cheapest method that meets the tolerance. Its uncertainty is all that is known to be wrong with it, the model included.
 fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> {
-    if let Some(impacts) = arguments.impacts {
-        return Err(Invalid::new(
-            "impacts",
-            impacts,
-            "only with an oracle that is named; auto takes as many as it needs",
-        )
-        .into());
+    // It takes as many impacts as it needs, and asks what happens within half a period.
+    let impacts = arguments.impacts.map(|impacts| ("impacts", impacts.to_string()));
+    let until = arguments.case.until().map(|until| ("until", until.to_string()));
+    if let Some((option, value)) = impacts.or(until) {
+        let uses = |method: &Method| option == "until" || !method.roles.contains(&Role::OwnSum);
+        return Err(Refused::unused(option, value, "auto", uses).into());
     }
     let found = Plan::new(question).answer();
     if let (None, Some(decline)) = (found.outcome(), found.declined()) {
@@ -140,18 +156,14 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.
-fn enclosed(arguments: &Arguments, enclosure: &Enclosure, case: &Case) -> anyhow::Result<Status> {
-    let declines = |decline| anyhow!("{} declines: {decline}", enclosure.name());
-    let enclosed = enclosure.enclose(case).map_err(declines)?;
-    let observed = Observed::new(case, enclosed.history());
-    let mut answer = answer(enclosure.name(), case, &observed);
-    if let Some(time) = &enclosed.chattering_time {
-        let [lower, upper] = time.decimals(time.places(enclosure.digits()));
+fn enclosed(arguments: &Arguments, proven: &Proven, case: &Case) -> anyhow::Result<Status> {
+    let observed = Observed::new(case, proven.history.clone());
+    let mut answer = answer(&proven.oracle, case, &observed);
+    if let Some([lower, upper]) = proven.chattering_time.clone() {
         (answer.lower, answer.upper) = (Some(lower), Some(upper));
         answer.method = Some("proven bounds");
-        let wanted = 10.0_f64.powi(1 - enclosure.digits() as i32) * time.upper();
-        if time.width() > wanted {
-            eprintln!("{}: proven, but wider than asked: it would have taken too long", enclosure.name());
+        if proven.wider_than_asked {
+            eprintln!("{}: proven, but wider than asked: it would have taken too long", proven.oracle);
         }
     }
     answer.seconds = seconds(arguments, &answer)?;

@@ -6,6 +6,7 @@ mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
+mod oracle_flags;
 mod oracles;
 mod output;
 mod paper;

@@ -1,13 +1,18 @@
 use std::io::Write as _;
 
-use anyhow::anyhow;
+use anyhow::{anyhow, bail};
+use chattercheck::{
+    motion::plan::Question,
+    panel::{self, Method, Refused, Setting},
+};
 use clap::{Args, ValueEnum};
-use contract::{Case, Ending, History};
+use contract::{Case, Ending, History, Oracle};
 use serde::Serialize;
 
 use super::{
     Status,
-    case_flags::{CaseFlags, OracleFlags},
+    case_flags::CaseFlags,
+    oracle_flags::{Asked, OracleFlags},
 };
 
 /// One impact history
@@ -67,8 +72,10 @@ struct Document<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let case = arguments.case.case(arguments.impacts)?;
-    let oracle = arguments.oracle.oracle(&arguments.case, &case)?;
-    arguments.oracle.remark(&arguments.case)?;
+    let oracle = match arguments.oracle.asked(&arguments.case, &case, None)? {
+        Asked::Auto(question) => arguments.stepper(&question)?,
+        Asked::Oracle(oracle) => oracle,
+    };
     let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     let rows = rows(&history);
     let mut stdout = std::io::stdout().lock();
@@ -94,6 +101,22 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     eprintln!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len());
     Ok(if matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
+}
+
+impl Arguments {
+    /// For impacts, other than for a chattering time, `auto` takes flights of the very equation that is asked for.
+    fn stepper(&self, question: &Question) -> anyhow::Result<Box<dyn Oracle>> {
+        if let Some(tolerance) = self.oracle.tolerance() {
+            let uses = |method: &Method| method.uses(Setting::Tolerance);
+            return Err(Refused::unused("tolerance", tolerance, "auto (for impacts)", uses).into());
+        }
+        if question.request.is_some() {
+            bail!(
+                "phase or duration (of the scene) is not used by simulate, which is for a motion that passes the threshold and goes on; see `chattercheck scene` with what = [\"impact-times\"]"
+            );
+        }
+        Ok(panel::stepper_of(panel::model_of(&question.case)))
+    }
 }
 
 /// The rows with the claims of the oracle; initiation is exact.

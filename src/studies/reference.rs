@@ -1,13 +1,14 @@
 //! Values with many digits, to test against, made by the `reference` command: from the printed equations, and by the enclosure with proof.
 
 use contract::{Case, Decline, Model, Normalisation, Slenderness};
+use enclosure::Bounds;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::{
     cases::generate::Generator,
     measure::critical::{self, Term},
-    panel::{self, Bounds},
+    panel,
 };
 
 /// Which impacts are tabulated.
@@ -50,7 +51,7 @@ pub struct TimeRow {
 /// # Errors
 /// When the printed equations can't be followed for one of the cases.
 pub fn tables(done: impl Fn()) -> Result<(Vec<ImpactRow>, Vec<TimeRow>), Decline> {
-    let printed = panel::printed();
+    let printed = printed::Printed::default();
     let (mut impacts, mut times) = (Vec::new(), Vec::new());
     for named in Generator::Spaced.cases(0, 0, &printed).into_iter().step_by(3) {
         let Ok(case) = named.case.with_max_impacts(40) else { continue };
@@ -135,7 +136,7 @@ const DIGITS: u32 = 25;
 /// When the enclosure declines a case.
 pub fn proven_tables(done: impl Fn() + Sync) -> Result<(Vec<ProvenImpactRow>, Vec<ProvenTimeRow>), Decline> {
     let grid: Vec<Case> =
-        Generator::Spaced.cases(0, 0, &panel::printed()).into_iter().map(|named| named.case).collect();
+        Generator::Spaced.cases(0, 0, &printed::Printed::default()).into_iter().map(|named| named.case).collect();
     let linear = grid.iter().map(|case| (Model::Linear, *case));
     let nonlinear = grid.iter().step_by(2).map(|case| (Model::Nonlinear, *case));
     let slender = grid.iter().filter_map(|case| {
@@ -166,7 +167,7 @@ fn proven_rows(model: Model, case: &Case) -> Result<(Vec<ProvenImpactRow>, Prove
     });
     // A value may lie so near to the edge of a digit that it takes more of them to settle it.
     for digits in [DIGITS + 3, 2 * DIGITS, 4 * DIGITS] {
-        let enclosed = panel::enclosure_of(model).with_digits(digits).map_err(out_of_range)?.enclose(&case)?;
+        let enclosed = enclosure::Enclosure::new(model).with_digits(digits).map_err(out_of_range)?.enclose(&case)?;
         let settled = |bounds: &Bounds| bounds.settled(DIGITS);
         let rows: Option<Vec<ProvenImpactRow>> = (1..)
             .zip(&enclosed.impacts)
@@ -193,7 +194,7 @@ pub fn critical_amplitudes(done: impl Fn() + Sync) -> Result<Vec<CriticalRow>, D
     let omegas = [0.5, 1.0, 2.0, 4.0, 6.0, 8.0];
     let pairs: Vec<_> = [0.5, 0.7, 0.8, 0.92, 0.97].iter().flat_map(|eta| omegas.map(|omega| (omega, *eta))).collect();
     let rows = pairs.par_iter().map(|&(omega, eta)| {
-        let critical = panel::critical_amplitude(omega, eta)?;
+        let critical = enclosure::critical_amplitude(omega, eta)?;
         let [complete, incomplete] = critical.amplitude.decimals(18);
         done();
         Ok(CriticalRow { omega, eta, complete, incomplete, exponent: critical.exponent })

@@ -32,9 +32,14 @@ fn case_of([epsilon, omega, eta]: [f64; 3], horizon: Horizon, impacts: usize) ->
     case.with_max_impacts(impacts).unwrap().with_horizon(horizon).unwrap()
 }
 
+/// The closed form, corrected.
+fn corrected() -> Corrected {
+    Corrected::new(panel::stepper())
+}
+
 /// The history of Eq. 2 within proven bounds.
 fn proven(case: &Case) -> Observed {
-    let enclosure = panel::enclosure_of(Model::Nonlinear);
+    let enclosure = enclosure::Enclosure::new(Model::Nonlinear);
     Observed::new(case, enclosure.history(case).unwrap())
 }
 
@@ -140,7 +145,7 @@ fn random(count: usize, seed: u8) -> Vec<Case> {
 
 /// What the judge says of an oracle on these cases: how many it answered, in how many it is refuted, and how its claims compare with its errors.
 fn judged(oracle: &dyn Oracle, cases: &[Case]) -> (usize, usize, Calibration) {
-    let enclosure = panel::enclosure_of(Model::Nonlinear);
+    let enclosure = enclosure::Enclosure::new(Model::Nonlinear);
     let judges = Judges { oracles: vec![&enclosure], every: 1 };
     let (mut answered, mut refuted, mut calibration) = (0, 0, Calibration::default());
     for case in cases {
@@ -158,7 +163,7 @@ fn judged(oracle: &dyn Oracle, cases: &[Case]) -> (usize, usize, Calibration) {
 #[test]
 fn what_is_left_is_claimed_and_not_much_more() {
     let cases = random(80, 7);
-    let (answered, refuted, calibration) = judged(&panel::corrected(), &cases);
+    let (answered, refuted, calibration) = judged(&corrected(), &cases);
     assert!(answered >= 70 && refuted == 0, "{answered} answered, {refuted} refuted");
     for (observable, figure) in calibration.figures() {
         assert!(figure.smallest >= 1.0, "{observable}: {}", figure.smallest);
@@ -240,7 +245,7 @@ proptest! {
     #[test]
     fn the_correction_agrees_with_the_nonlinear_solver(case in any_case()) {
         let taylor = panel::select("taylor").unwrap().swap_remove(0);
-        let Ok(corrected) = panel::corrected().history(&case) else { return Ok(()) };
+        let Ok(corrected) = corrected().history(&case) else { return Ok(()) };
         let solved = taylor.history(&case).unwrap();
         prop_assert_eq!((corrected.ending, corrected.impacts.len()), (solved.ending, solved.impacts.len()));
         let slack = Slack { conditioning: &Conditioning::default(), gap: None };
@@ -253,7 +258,7 @@ proptest! {
 #[test]
 fn the_correction_is_relative_however_deep_the_sequence_goes() {
     let case = with(case_of([0.01, 2.0, 0.7], Horizon::HalfPeriod, 600), 0.1, Normalisation::Threshold);
-    let corrected = panel::corrected().history(&case).unwrap();
+    let corrected = corrected().history(&case).unwrap();
     let proven = proven(&case);
     let observed = Observed::new(&case, corrected);
     assert_eq!(observed.history.ending, Ending::AtRest);
@@ -268,7 +273,7 @@ fn the_correction_is_relative_however_deep_the_sequence_goes() {
 
 #[test]
 fn what_it_cannot_do_it_declines() {
-    let corrected = panel::corrected();
+    let corrected = corrected();
     let decline = |case: &Case| corrected.history(case).unwrap_err();
     let slender = case_of([0.03, 2.0, 0.92], Horizon::HalfPeriod, 100);
     assert_eq!(decline(&slender), Decline::NeedsSlenderness);

@@ -30,7 +30,7 @@ fn draws<T: std::fmt::Debug>(strategy: impl Strategy<Value = T>, many: usize) ->
 /// The proven chattering time; `None` if it is proven that there is none.
 fn proven(case: &Case) -> Option<Option<f64>> {
     let model = if case.slenderness().is_some() { Model::Nonlinear } else { Model::Linear };
-    let observed = ask(&panel::enclosure_of(model), &case.with_max_impacts(20).unwrap()).into_observed()?;
+    let observed = ask(&enclosure::Enclosure::new(model), &case.with_max_impacts(20).unwrap()).into_observed()?;
     match observed.history.ending {
         Ending::Incomplete | Ending::Overturned => Some(None),
         _ => Some(Some(observed.chattering_time?.value)),

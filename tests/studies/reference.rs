@@ -98,7 +98,7 @@ fn every_oracle_claims_no_less_than_it_errs_in_the_chattering_time() {
 #[test]
 fn the_tables_are_what_the_command_makes() {
     // One case of the tables, made again: all of them would take minutes.
-    let printed = panel::printed();
+    let printed = printed::Printed::default();
     let rows: Vec<ImpactRow> = table("linear_impacts.csv");
     let row = rows.iter().find(|row| row.n == 5).unwrap();
     let impact = printed.decimals(&case(row.epsilon, row.omega, row.eta, 5)).unwrap().swap_remove(4);
@@ -225,7 +225,7 @@ fn the_critical_amplitudes_part_complete_from_incomplete() {
         assert_eq!(ending(complete - 1e-15), Ending::AtRest, "{row:?}");
         assert_eq!(ending(incomplete + 1e-15), Ending::Incomplete, "{row:?}");
         if row.eta <= 0.8 {
-            let [again, _] = panel::critical_amplitude(row.omega, row.eta).unwrap().amplitude.decimals(18);
+            let [again, _] = enclosure::critical_amplitude(row.omega, row.eta).unwrap().amplitude.decimals(18);
             assert_eq!(again, row.complete);
         }
     }
@@ -237,7 +237,7 @@ fn the_proven_tables_are_what_the_command_makes() {
     for row in rows.iter().step_by(97) {
         let model = if row.alpha.is_some() { Model::Nonlinear } else { Model::Linear };
         let case = proven(row.epsilon, row.omega, row.eta, row.alpha, row.normalisation.as_deref(), row.n);
-        let enclosed = panel::enclosure_of(model).with_digits(30).unwrap().enclose(&case).unwrap();
+        let enclosed = enclosure::Enclosure::new(model).with_digits(30).unwrap().enclose(&case).unwrap();
         let impact = &enclosed.impacts[row.n - 1];
         let settled = [&impact.time, &impact.interval, &impact.velocity].map(|bounds| bounds.settled(25).unwrap());
         assert_eq!(settled, [&row.tau, &row.interval, &row.velocity].map(Clone::clone), "{row:?}");

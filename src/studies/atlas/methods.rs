@@ -1,10 +1,11 @@
 //! What is asked: the specimens, and the oracles beside them.
 
 use contract::{Case, Ending, Horizon, Oracle};
+use ode::Restart;
 
 use crate::{
     measure::asking::{Reply, ask},
-    panel::{self, Restart},
+    panel,
     studies::specimens::{
         AdHoc, Conclusion, Landing, MoreauJean, OneClock, PrintedInDoubles, Response, Rule, Run, Specimen, Threshold,
         half_period,

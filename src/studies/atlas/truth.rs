@@ -4,7 +4,6 @@ use contract::{Case, Decline, Ending, History, Horizon, Model};
 
 use crate::{
     measure::critical,
-    panel,
     studies::specimens::{Landing, Response, half_period},
 };
 
@@ -40,7 +39,7 @@ impl Truth {
     }
 
     fn of(case: Case) -> Result<Self, Decline> {
-        let judge = panel::enclosure_of(Model::Linear);
+        let judge = enclosure::Enclosure::new(Model::Linear);
         let listed = |case: &Case| -> Result<(Vec<Landing>, History), Decline> {
             let history = judge.enclose(case)?.history();
             Ok((history.impacts.iter().map(Landing::from).collect(), history))

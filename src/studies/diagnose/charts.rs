@@ -93,11 +93,7 @@ fn errors_against_a(table: &Table) -> Result<String, Error> {
 fn errors_near_critical(table: &Table) -> Result<String, Error> {
     let keep = |method: &str| ["resummed", "order 32", "reverted series", "H cut off", "H by Pade"].contains(&method);
     LineChart {
-        title: format!(
-            "Ways to sum up to {} terms near a_{{cr}} (ω = {})",
-            crate::panel::RESUMMED_TERMS,
-            omega(table)?
-        ),
+        title: format!("Ways to sum up to {} terms near a_{{cr}} (ω = {})", asymptotic::RESUMMED_TERMS, omega(table)?),
         caption: "The critical amplitude is to the left: the sum that knows the powers behind the branch point \
                   (resummed) holds closest to it, until it cannot tell a from a_{cr} and gives no value; H is \
                   (1 − (τ_{ch}/(T/2))²)^(1/β), order 32 is the plain sum of 32 terms."

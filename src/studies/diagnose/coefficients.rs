@@ -3,7 +3,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::truth::critical_epsilon;
-use crate::panel::{Expansion, Resummed, approach, ratios, scaled_tail};
+use asymptotic::{Expansion, Resummed, approach, ratios, scaled_tail};
 
 /// One coefficient of `ω τ_ch/ε^(1/2)`, and what it and the one before say of the critical amplitude (Domb and Sykes).
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -6,7 +6,7 @@ use super::{
     ORDERS, PAPER, spread,
     truth::{critical_epsilon, proven},
 };
-use crate::panel::{Alternative, Expansion, Resummed, coefficients};
+use asymptotic::{Alternative, Expansion, Resummed, coefficients};
 
 /// The error of one method at one amplitude.
 #[derive(Debug, Clone, PartialEq, Serialize)]

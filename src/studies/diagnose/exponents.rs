@@ -8,7 +8,7 @@ use super::{
     spread,
     truth::{critical_epsilon, proven},
 };
-use crate::panel::{Approach, approach, exponent_of_coefficients};
+use asymptotic::{Approach, approach, exponent_of_coefficients};
 
 /// The exponent `β` of `1 - τ_ch/(T/2) ~ (a_cr - a)^β`, three times.
 #[derive(Debug, Clone, PartialEq, Serialize)]

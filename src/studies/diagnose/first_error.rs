@@ -6,7 +6,7 @@ use super::{
     ORDERS, PAPER, map, spread,
     truth::{critical_epsilon, stepped},
 };
-use crate::panel::{Expansion, coefficients};
+use asymptotic::{Expansion, coefficients};
 
 /// The smallest amplitude at which an order errs by 1 %.
 #[derive(Debug, Clone, PartialEq, Serialize)]

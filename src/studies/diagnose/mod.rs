@@ -13,13 +13,11 @@ pub(crate) mod truth;
 
 use std::collections::BTreeMap;
 
+use asymptotic::{Expansion, RESUMMED_TERMS};
 use contract::Decline;
 use rayon::prelude::*;
 
-use crate::{
-    panel::{Expansion, RESUMMED_TERMS},
-    studies::chart::csv_text,
-};
+use crate::studies::chart::csv_text;
 
 pub use charts::CHARTS;
 pub use coefficients::CoefficientRow;

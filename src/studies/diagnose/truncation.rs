@@ -6,7 +6,7 @@ use super::{
     PAPER, spread,
     truth::{critical_epsilon, proven},
 };
-use crate::panel::{Coefficients, Expansion, coefficients};
+use asymptotic::{Coefficients, Expansion, coefficients};
 
 /// Eq. 65 keeps the `ε^(3/2)` of one half of the flights only; beside it the truncation that keeps all of them.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -15,7 +15,7 @@ pub(crate) fn critical_epsilon(omega: f64, eta: f64) -> Result<f64, Decline> {
 /// The proven chattering time, to a double's digits; `None` where it is not proven to be complete.
 pub(crate) fn proven(epsilon: f64, omega: f64, eta: f64) -> Option<f64> {
     let case = Case::from_epsilon(epsilon, omega, eta).ok()?;
-    let enclosed = panel::enclosure_of(Model::Linear).enclose(&case).ok()?;
+    let enclosed = enclosure::Enclosure::new(Model::Linear).enclose(&case).ok()?;
     enclosed.chattering_time.map(|bounds| bounds.middle().0)
 }
 

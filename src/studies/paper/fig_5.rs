@@ -45,7 +45,7 @@ struct Row {
 
 fn measure() -> Result<String, Error> {
     let critical = critical_epsilon(OMEGA, ETA)?;
-    let paper = panel::coefficients(ETA).ok_or_else(|| missing("Eq. 65"))?;
+    let paper = asymptotic::coefficients(ETA).ok_or_else(|| missing("Eq. 65"))?;
     let rows = (1..=STEPS).into_par_iter().map(|k| {
         // Closer towards both ends, where the curve is upright.
         let share = 0.5 - 0.5 * (PI * k as f64 / STEPS as f64).cos();

@@ -23,7 +23,7 @@ impl Specimen for AdHoc {
         let history = panel::stepper().history(&followed).ok()?;
         let mut impacts: Vec<Landing> = history.impacts.iter().map(Landing::from).collect();
         let is_complete = case.amplitude() < critical::eq76(case.omega(), case.eta());
-        let at = panel::coefficients(case.eta())?.chattering_time(case.epsilon(), case.omega());
+        let at = asymptotic::coefficients(case.eta())?.chattering_time(case.epsilon(), case.omega());
         let stop = impacts.iter().position(|impact| is_complete && impact.time >= at);
         impacts.truncate(stop.map_or(impacts.len(), |stop| stop + 1));
         let stopped = stop.and_then(|_| impacts.last()).map(|last| last.time);

@@ -24,7 +24,7 @@ use contract::{Case, Impact};
 
 pub use ad_hoc::AdHoc;
 pub use as_printed::PrintedInDoubles;
-pub use one_clock::OneClock;
+pub use one_clock::{OneClock, solver_on_one_clock};
 pub use response::{Response, SAMPLES, sample_times};
 pub use thresholds::{Rule, Threshold};
 pub use time_stepping::MoreauJean;

@@ -1,7 +1,7 @@
-use contract::{Case, Ending, Horizon, Limit, Loss};
+use contract::{Case, Ending, Horizon, Invalid, Limit, Loss};
+use ode::{Equation, Flights, Method, Ode, Restart};
 
 use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
-use crate::panel::{self, Restart};
 
 /// diffsol (Tsit45) on one clock, with the rotation as its event and Eq. 13 at each root, as in the bouncing ball of its own examples.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,6 +10,14 @@ pub struct OneClock {
     pub restart: Restart,
     /// The relative tolerance, which is also the absolute one.
     pub rtol: f64,
+}
+
+/// That solver.
+///
+/// # Errors
+/// When the tolerance is not inside [1e-13, 1e-2].
+pub fn solver_on_one_clock(restart: Restart, rtol: f64) -> Result<Ode, Invalid> {
+    Ok(Ode::new(Equation::Linear, Method::Tsit45).with_rtol(rtol)?.with_flights(Flights::Naive).with_restart(restart))
 }
 
 impl Specimen for OneClock {
@@ -29,7 +37,7 @@ impl Specimen for OneClock {
         let half_period = half_period(case);
         let end = 2.0 * half_period;
         let followed = case.with_max_impacts(ENDLESS).ok()?.with_horizon(Horizon::Until(end)).ok()?;
-        let counted = panel::one_clock(self.restart, self.rtol).ok()?.counted(&followed).ok()?;
+        let counted = solver_on_one_clock(self.restart, self.rtol).ok()?.counted(&followed).ok()?;
         let mut impacts: Vec<Landing> = counted.history.impacts.iter().map(Landing::from).collect();
         let reached_the_end = counted.history.ending == Ending::LimitReached(Limit::Time);
         let response = reached_the_end.then(|| Response::of(case, &impacts, None));

@@ -1,13 +1,15 @@
 //! The methods and their settings.
 
+use asymptotic::{Expansion, Resummed};
 use contract::{Case, Ending, History, Model, Uncertainty};
+use ode::{Equation, Ode, Restart};
 
 use crate::{
     measure::zeno,
-    panel::{self, Expansion, Ode, Restart, Resummed},
+    panel,
     studies::{
         atlas::LIFT,
-        specimens::{Conclusion, MoreauJean, Rule, Specimen, Threshold},
+        specimens::{Conclusion, MoreauJean, Rule, Specimen, Threshold, solver_on_one_clock},
     },
 };
 
@@ -96,7 +98,7 @@ fn series() -> Vec<Contender> {
         time.map_or_else(|| Found::failed("declines"), |time| Found { chattering_time: Some(time), ..Found::default() })
     };
     let paper = move |case: &Case| {
-        value(panel::coefficients(case.eta()).map(|known| known.chattering_time(case.epsilon(), case.omega())))
+        value(asymptotic::coefficients(case.eta()).map(|known| known.chattering_time(case.epsilon(), case.omega())))
     };
     let mut methods = vec![Contender::new("series, Eq. 65", "", paper)];
     for terms in TERMS {
@@ -119,9 +121,9 @@ fn series() -> Vec<Contender> {
 fn solvers() -> Vec<Contender> {
     let mut methods = Vec::new();
     let tolerances = || (3..=12).map(|exponent| 10.0_f64.powi(-exponent));
-    for method in panel::SOLVERS {
+    for method in ode::Method::ALL {
         methods.extend(tolerances().filter_map(|rtol| {
-            let solver = panel::solver(method, rtol).ok()?;
+            let solver = Ode::new(Equation::Linear, method).with_rtol(rtol).ok()?;
             Some(Contender::new(format!("{method}, rescaled"), format!("rtol {rtol:e}"), move |case| {
                 solved(&solver, case)
             }))
@@ -130,7 +132,7 @@ fn solvers() -> Vec<Contender> {
     let restarts = [("zero", Restart::Zero), ("lifted", Restart::Lifted(LIFT)), ("old step", Restart::OldStep)];
     for (name, restart) in restarts {
         methods.extend(tolerances().filter_map(|rtol| {
-            let solver = panel::one_clock(restart, rtol).ok()?;
+            let solver = solver_on_one_clock(restart, rtol).ok()?;
             let family = format!("tsit45, one clock, {name}");
             Some(Contender::new(family, format!("rtol {rtol:e}"), move |case| solved(&solver, case)))
         }));
@@ -177,11 +179,11 @@ fn time_stepping(scheme: &MoreauJean, case: &Case) -> Found {
 }
 
 fn enclosed(case: &Case, digits: i64) -> Found {
-    let judge = panel::enclosure_of(Model::Linear).with_digits(digits).ok();
+    let judge = enclosure::Enclosure::new(Model::Linear).with_digits(digits).ok();
     let listed = case.with_max_impacts(40).ok();
     let enclosed = judge.zip(listed).and_then(|(judge, case)| judge.enclose(&case).ok());
     let Some(enclosed) = enclosed else { return Found::failed("undecided") };
-    let half_width = |bounds: &panel::Bounds| 0.5 * bounds.width() / bounds.middle().0;
+    let half_width = |bounds: &enclosure::Bounds| 0.5 * bounds.width() / bounds.middle().0;
     let (time, impact) = (enclosed.chattering_time.as_ref(), enclosed.impacts.get(39));
     Found {
         width: time.zip(impact).map(|(time, impact)| (half_width(time), half_width(&impact.time))),

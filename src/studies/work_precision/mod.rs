@@ -11,7 +11,7 @@ use std::{collections::BTreeMap, hint::black_box, time::Instant};
 use contract::{Case, Decline, Invalid, Model};
 use serde::{Deserialize, Serialize};
 
-use crate::{measure::critical, panel, studies::chart::csv_text};
+use crate::{measure::critical, studies::chart::csv_text};
 
 pub use charts::CHARTS;
 use methods::{Contender, Found, methods};
@@ -160,7 +160,7 @@ struct Truth {
 
 impl Truth {
     fn of(case: &Case) -> Result<Self, Decline> {
-        let proven = panel::enclosure_of(Model::Linear).enclose(case)?.history();
+        let proven = enclosure::Enclosure::new(Model::Linear).enclose(case)?.history();
         Ok(Self {
             chattering_time: proven.chattering_time.map(|time| time.value),
             impact_40: proven.impacts.get(39).map(|impact| impact.time),

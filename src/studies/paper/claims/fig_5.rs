@@ -74,7 +74,7 @@ fn stops_above_critical() -> Result<Measured, Error> {
         if answer.observed().is_none_or(|observed| observed.history.ending != Ending::AtRest) {
             return Ok(None);
         }
-        let proven = panel::enclosure_of(Model::Linear).enclose(&case.with_max_impacts(1)?)?;
+        let proven = enclosure::Enclosure::new(Model::Linear).enclose(&case.with_max_impacts(1)?)?;
         Ok(proven.chattering_time.map(|time| time.lower() / half_period(OMEGA)))
     });
     let rests: Vec<f64> = rests.collect::<Result<Vec<_>, Error>>()?.into_iter().flatten().collect();
@@ -120,7 +120,7 @@ fn increase() -> Result<Measured, Error> {
 /// The relative error of Eq. 65 at a share of the way from the threshold to the critical amplitude, with its sign.
 fn error(share_of_way: f64, eta: f64) -> Result<f64, Error> {
     let epsilon = share_of_way * interpolated(OMEGA, eta)?;
-    let sums = panel::coefficients(eta).ok_or_else(|| missing("the sums of Eq. 65"))?;
+    let sums = asymptotic::coefficients(eta).ok_or_else(|| missing("the sums of Eq. 65"))?;
     let exact = share(epsilon, OMEGA, eta)? * half_period(OMEGA);
     Ok(sums.chattering_time(epsilon, OMEGA) / exact - 1.0)
 }
@@ -175,7 +175,7 @@ fn at_the_critical_amplitude() -> Result<Measured, Error> {
     let mut good = 0;
     let mut shares = Vec::new();
     for eta in ETAS {
-        let sums = panel::coefficients(eta).ok_or_else(|| missing("the sums of Eq. 65"))?;
+        let sums = asymptotic::coefficients(eta).ok_or_else(|| missing("the sums of Eq. 65"))?;
         let share = sums.chattering_time(interpolated(OMEGA, eta)?, OMEGA) / half_period(OMEGA);
         if (share - 1.0).abs() < 0.01 {
             good += 1;

@@ -5,13 +5,10 @@ use std::f64::consts::SQRT_2;
 use contract::{Case, Impact, Model, Oracle as _};
 
 use super::{Measured, Measurement};
-use crate::{
-    panel,
-    studies::paper::{
-        Error,
-        limits::{Derivatives, at_zero, order},
-        missing, phase,
-    },
+use crate::studies::paper::{
+    Error,
+    limits::{Derivatives, at_zero, order},
+    missing, phase,
 };
 
 pub(super) const ALL: &[Measurement] = &[
@@ -31,7 +28,7 @@ const EPSILON: f64 = 1e-5;
 /// The first impact, proven.
 fn first_impact(epsilon: f64, omega: f64) -> Result<Impact, Error> {
     let case = Case::from_epsilon(epsilon, omega, ETA)?.with_max_impacts(1)?;
-    let history = panel::enclosure_of(Model::Linear).history(&case)?;
+    let history = enclosure::Enclosure::new(Model::Linear).history(&case)?;
     history.impacts.first().copied().ok_or_else(|| missing("the first impact"))
 }
 

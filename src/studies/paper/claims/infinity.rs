@@ -4,7 +4,7 @@ use contract::{Ending, Model};
 use rayon::prelude::*;
 
 use super::{Measured, Measurement};
-use crate::{panel, studies::paper::Error};
+use crate::studies::paper::Error;
 use contract::Case;
 
 pub(super) const ALL: &[Measurement] = &[("infinitely-many", infinitely_many)];
@@ -19,7 +19,7 @@ fn infinitely_many() -> Result<Measured, Error> {
         }
     }
     let complete = cases.par_iter().filter(|case| {
-        let enclosed = panel::enclosure_of(Model::Linear).enclose(case);
+        let enclosed = enclosure::Enclosure::new(Model::Linear).enclose(case);
         enclosed.is_ok_and(|enclosed| enclosed.ending == Ending::AtRest && enclosed.chattering_time.is_some())
     });
     let (all, complete) = (cases.len(), complete.count());

@@ -3,10 +3,7 @@
 use contract::Oracle as _;
 
 use super::{Measured, Measurement};
-use crate::{
-    panel,
-    studies::paper::{Error, limits::Derivatives, phase},
-};
+use crate::studies::paper::{Error, limits::Derivatives, phase};
 use contract::{Case, Model};
 
 pub(super) const ALL: &[Measurement] =
@@ -21,8 +18,8 @@ fn closed_form() -> Result<Measured, Error> {
     let mut worst: f64 = 0.0;
     for (a, omega, eta) in CASES {
         let case = Case::from_amplitude(a, omega, eta)?.with_max_impacts(IMPACTS)?;
-        let printed = panel::printed().history(&case)?.impacts;
-        let proven = panel::enclosure_of(Model::Linear).history(&case)?.impacts;
+        let printed = printed::Printed::default().history(&case)?.impacts;
+        let proven = enclosure::Enclosure::new(Model::Linear).history(&case)?.impacts;
         for (printed, proven) in printed.iter().zip(&proven) {
             worst = worst.max((printed.interval / proven.interval - 1.0).abs());
         }

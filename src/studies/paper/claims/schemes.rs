@@ -149,7 +149,7 @@ fn fine_threshold() -> Result<Measured, Error> {
 
 fn whether_the_threshold_is_reached() -> Result<Measured, Error> {
     let critical = interpolated(OMEGA, ETA)?;
-    let sums = panel::coefficients(ETA).ok_or_else(|| missing("the sums of Eq. 65"))?;
+    let sums = asymptotic::coefficients(ETA).ok_or_else(|| missing("the sums of Eq. 65"))?;
     let shares: Vec<f64> = spread(0.01, 0.99, 98).collect();
     let never = shares.par_iter().map(|share| {
         let epsilon = share * critical;

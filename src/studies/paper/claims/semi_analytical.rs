@@ -5,7 +5,6 @@ use contract::{Case, Impact, Model, Oracle as _};
 use super::{Measured, Measurement, verdict::rounded};
 use crate::{
     measure::zeno,
-    panel,
     studies::{
         diagnose::truth::proven,
         paper::{Error, missing, observed, phase},
@@ -33,7 +32,7 @@ const N: usize = 60;
 /// The impacts of Fig. 2, proven: the first is impact 1.
 fn impacts(many: usize) -> Result<Vec<Impact>, Error> {
     let case = Case::from_amplitude(A, OMEGA, ETA)?.with_max_impacts(many)?;
-    Ok(panel::enclosure_of(Model::Linear).history(&case)?.impacts)
+    Ok(enclosure::Enclosure::new(Model::Linear).history(&case)?.impacts)
 }
 
 /// `δ`, the excitation over `g α`, at a time.
@@ -130,7 +129,7 @@ fn ratios(a: f64, omega: f64, eta: f64) -> Result<Measured, Error> {
 /// The relative error of Eq. 75 after `n` impacts.
 fn error_of_closing(epsilon: f64, n: usize) -> Result<f64, Error> {
     let case = Case::from_epsilon(epsilon, OMEGA, ETA)?.with_max_impacts(n + 2)?;
-    let history = panel::enclosure_of(Model::Linear).history(&case)?;
+    let history = enclosure::Enclosure::new(Model::Linear).history(&case)?;
     let closed = zeno::eq75(&history, ETA).ok_or_else(|| missing("Eq. 75"))?;
     let exact = proven(epsilon, OMEGA, ETA).ok_or_else(|| missing(format!("tau_ch at epsilon = {epsilon}")))?;
     Ok((closed / exact - 1.0).abs())

@@ -2,18 +2,16 @@
 
 use std::f64::consts::SQRT_2;
 
+use asymptotic::{Asymptotic, Coefficients};
 use contract::{Case, Ending, Impact, Model, Oracle};
 
 use super::{Measured, Measurement};
-use crate::{
-    panel::{self, Coefficients, Settings},
-    studies::{
-        diagnose::truth::proven,
-        paper::{
-            Error, half_period,
-            limits::{at_zero, order},
-            missing,
-        },
+use crate::studies::{
+    diagnose::truth::proven,
+    paper::{
+        Error, half_period,
+        limits::{at_zero, order},
+        missing,
     },
 };
 
@@ -46,7 +44,7 @@ pub(super) struct ScaledFlight {
 /// The first flights of the series of the paper, from the oracle's answer so near to the threshold that nothing else is left.
 pub(super) fn scaled_flights(eta: f64, flights: usize) -> Result<Vec<ScaledFlight>, Error> {
     const EPSILON: f64 = 1e-20;
-    let series = panel::one("asymptotic", &Settings::default(), "linear")?;
+    let series = Asymptotic::new();
     let case = Case::from_epsilon(EPSILON, OMEGA, eta)?.with_max_impacts(flights)?;
     let impacts = series.history(&case)?.impacts;
     let at_rest = (0.0, 0.0);
@@ -63,7 +61,7 @@ pub(super) fn scaled_flights(eta: f64, flights: usize) -> Result<Vec<ScaledFligh
 /// Impact `n`, proven.
 fn impact(epsilon: f64, n: usize) -> Result<Impact, Error> {
     let case = Case::from_epsilon(epsilon, OMEGA, ETA)?.with_max_impacts(n)?;
-    let history = panel::enclosure_of(Model::Linear).history(&case)?;
+    let history = enclosure::Enclosure::new(Model::Linear).history(&case)?;
     history.impacts.get(n.wrapping_sub(1)).copied().ok_or_else(|| missing(format!("impact {n}")))
 }
 
@@ -140,7 +138,7 @@ fn opposite_flights() -> Result<Measured, Error> {
 }
 
 fn sums(eta: f64) -> Result<Coefficients, Error> {
-    panel::coefficients(eta).ok_or_else(|| missing(format!("the sums of Eq. 65 at eta = {eta}")))
+    asymptotic::coefficients(eta).ok_or_else(|| missing(format!("the sums of Eq. 65 at eta = {eta}")))
 }
 
 /// `ω τ_ch/ε^(1/2)`, proven.
@@ -175,7 +173,7 @@ fn second_sum() -> Result<Measured, Error> {
 fn at_fig_2() -> Result<Measured, Error> {
     let epsilon = 1.03 - 1.0;
     let case = Case::from_epsilon(epsilon, OMEGA, ETA)?.with_max_impacts(80)?;
-    let enclosed = panel::enclosure_of(Model::Linear).enclose(&case)?;
+    let enclosed = enclosure::Enclosure::new(Model::Linear).enclose(&case)?;
     let exact = enclosed.chattering_time.filter(|_| enclosed.ending == Ending::AtRest);
     let exact = exact.ok_or_else(|| missing("tau_ch of Fig. 2"))?.middle().0;
     let printed = sums(ETA)?.chattering_time(epsilon, OMEGA);

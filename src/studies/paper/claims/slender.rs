@@ -3,10 +3,7 @@
 use contract::{Case, Ending, Model, Normalisation, Oracle as _, Slenderness};
 
 use super::{Measured, Measurement};
-use crate::{
-    panel,
-    studies::paper::{Error, limits::order, missing},
-};
+use crate::studies::paper::{Error, limits::order, missing};
 
 pub(super) const ALL: &[Measurement] = &[
     ("eq-1", threshold),
@@ -28,7 +25,7 @@ fn least_amplitude(alpha: f64) -> Result<f64, Error> {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         let case = Case::from_amplitude(middle, OMEGA, ETA)?.with_slenderness(slenderness).with_max_impacts(1)?;
-        let history = panel::enclosure_of(Model::Nonlinear).history(&case)?;
+        let history = enclosure::Enclosure::new(Model::Nonlinear).history(&case)?;
         if history.ending == Ending::NeverRocks { low = middle } else { high = middle }
     }
     Ok(high)
@@ -60,7 +57,7 @@ fn chattering_time(slenderness: Option<Slenderness>) -> Result<f64, Error> {
         Some(slenderness) => (Model::Nonlinear, case.with_slenderness(slenderness)),
         None => (Model::Linear, case),
     };
-    let enclosed = panel::enclosure_of(model).enclose(&case)?;
+    let enclosed = enclosure::Enclosure::new(model).enclose(&case)?;
     let bounds = enclosed.chattering_time.ok_or_else(|| missing("the chattering time of Fig. 2"))?;
     Ok(bounds.middle().0)
 }

@@ -5,13 +5,10 @@ use std::f64::consts::SQRT_2;
 use contract::{Case, Model, Oracle as _};
 
 use super::{Measured, Measurement, motion::particular, series::scaled_flights};
-use crate::{
-    panel,
-    studies::paper::{
-        Error,
-        limits::{Derivatives, at_zero},
-        missing, phase,
-    },
+use crate::studies::paper::{
+    Error,
+    limits::{Derivatives, at_zero},
+    missing, phase,
 };
 
 pub(super) const ALL: &[Measurement] = &[
@@ -71,7 +68,7 @@ const EPSILON: f64 = 1e-5;
 /// `a sin` and `a cos` of `ωτ_n + ψ` at impact `n`, with the proven time.
 fn forcing(epsilon: f64, n: usize) -> Result<(f64, f64), Error> {
     let case = Case::from_epsilon(epsilon, OMEGA, ETA)?.with_max_impacts(n)?;
-    let history = panel::enclosure_of(Model::Linear).history(&case)?;
+    let history = enclosure::Enclosure::new(Model::Linear).history(&case)?;
     let time = history.impacts.last().ok_or_else(|| missing(format!("impact {n}")))?.time;
     let a = 1.0 + epsilon;
     let (sin, cos) = (OMEGA * time + phase(a)).sin_cos();
