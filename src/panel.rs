@@ -5,6 +5,8 @@
 
 mod lookup;
 mod settings;
+#[cfg(test)]
+mod tests;
 
 use asymptotic::{Asymptotic, Order};
 pub use asymptotic::{approach, coefficients};
@@ -178,8 +180,7 @@ pub fn stepper_of(model: Model) -> Box<dyn Oracle> {
 }
 
 fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {
-    let order = settings.order.unwrap_or("paper");
-    let order = match order.strip_prefix("order-").unwrap_or(order) {
+    let order = match settings.order.unwrap_or("paper") {
         "paper" => Order::Paper,
         "resummed" => Order::Resummed,
         terms => Order::Terms(

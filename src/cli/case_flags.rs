@@ -49,7 +49,7 @@ pub(crate) struct CaseFlags {
     eta: Option<f64>,
     /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that
     /// passes the threshold and goes on; its phase and duration are for `chattercheck scene` and `chattercheck response`
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha", "normalisation"])]
     pub(super) scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model
     #[arg(long, value_name = "RAD", allow_hyphen_values = true, value_parser = number)]

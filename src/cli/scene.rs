@@ -19,10 +19,10 @@ use super::{
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML
-    #[arg(required_unless_present = "schema")]
+    #[arg(required_unless_present = "schema", value_name = "FILE")]
     file: Option<PathBuf>,
     /// Print the JSON Schema of scene files
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["file", "format"])]
     schema: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]

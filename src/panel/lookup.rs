@@ -101,6 +101,8 @@ pub(super) fn resolve<'a>(
     let mut says = method.in_name.iter();
     for part in parts {
         let Some(&setting) = says.next() else { return Ok(None) };
+        // `order-16` in a name is `16` as a setting.
+        let part = part.strip_prefix("order-").unwrap_or(part);
         if let Some(value) = settings.get(setting).filter(|value| value != part) {
             let (option, oracle) = (setting.name(), name.to_owned());
             return Err(Refused::InName { option, value, oracle, method: method.name });

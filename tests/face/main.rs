@@ -3,6 +3,7 @@
 
 mod command_line;
 mod independence;
+mod options;
 mod readme;
 
 #[path = "../effort/mod.rs"]

@@ -1,0 +1,221 @@
+//! No option is silently ignored: what a method or a command does not use is an error that names both; everything else changes what is printed.
+
+use std::collections::BTreeSet;
+
+use assert_cmd::Command;
+
+const CASE: &str = "--a 1.01 --omega 2 --eta 0.85";
+
+fn run(arguments: &str) -> (Option<i32>, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_chattercheck"));
+    let output = command.args(arguments.split_whitespace()).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+/// The methods, the choice that is left to the program by name, and none named.
+const METHODS: [&str; 9] =
+    ["", "auto", "closed-form", "ode", "taylor", "asymptotic", "enclosure", "printed", "closed-form/corrected"];
+
+/// Options with values that, where they are used, change something.
+const OPTIONS: [&str; 11] = [
+    "--alpha 0.3",
+    "--alpha 0.3 --normalisation slender",
+    "--until 0.2",
+    "--model linear",
+    "--model nonlinear",
+    "--method bdf",
+    "--rtol 1e-5",
+    "--flights naive",
+    "--order 3",
+    "--tolerance 1e-14",
+    "--impacts 7",
+];
+
+#[test]
+fn an_option_of_a_case_or_a_method_changes_the_answer_or_is_refused() {
+    for command in ["chattering-time", "simulate"] {
+        for method in METHODS {
+            let oracle = if method.is_empty() { String::new() } else { format!("--oracle {method}") };
+            // What is only for the block as it is needs a slenderness to begin with.
+            let needs = if ["taylor", "closed-form/corrected"].contains(&method) { "--alpha 0.1" } else { "" };
+            let base = |extra: &str| format!("{command} {CASE} --format json {oracle} {extra}");
+            let (_, without, _) = run(&base(needs));
+            for option in OPTIONS.iter().chain((command == "chattering-time").then_some(&"--digits 30")) {
+                let arguments =
+                    base(&if option.contains("alpha") { (*option).to_owned() } else { format!("{needs} {option}") });
+                let (status, out, err) = run(&arguments);
+                let name = option.split_whitespace().next().unwrap().trim_start_matches("--");
+                if status == Some(2) {
+                    // The equation is named by the model that an oracle solves, too.
+                    assert!(
+                        err.contains(name) || err.contains("slenderness") || err.contains("declines"),
+                        "{arguments}: {err}"
+                    );
+                    assert!(method.is_empty() || err.contains(method), "{arguments}: {err}");
+                } else {
+                    // The equation that is solved anyway may be said.
+                    let said = name == "model" && out.contains(method);
+                    assert!(out != without || said, "{arguments}: ignored");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn where_no_method_is_named_the_first_that_uses_everything_is_asked() {
+    for (options, oracle) in [
+        ("", "closed-form"),
+        ("--model linear", "closed-form"),
+        ("--alpha 0.1", "taylor"),
+        ("--alpha 0.1 --model nonlinear", "taylor"),
+        ("--method bdf", "ode/linear/bdf"),
+        ("--method bdf --alpha 0.1", "ode/nonlinear/tsit45"),
+        ("--rtol 1e-6", "ode/linear/tsit45"),
+        ("--order 3", "asymptotic/order-3"),
+        ("--order 3 --tolerance 0.1", "asymptotic/order-3"),
+        ("--digits 20", "enclosure/linear"),
+        ("--digits 20 --alpha 0.1", "enclosure/nonlinear"),
+    ] {
+        let (status, out, err) = run(&format!("chattering-time {CASE} --format json {options}"));
+        assert_eq!(status, Some(0), "{options}: {err}");
+        let oracle = oracle.replace("nonlinear/tsit45", "nonlinear/bdf");
+        assert!(out.contains(&format!("\"oracle\": \"{oracle}\"")), "{options}: {out}");
+    }
+    for (options, words) in [
+        ("--order 3 --digits 20", ["--order 3", "--digits 20"]),
+        ("--order 3 --alpha 0.1", ["--alpha", "--order 3"]),
+        ("--alpha 0.1 --model linear", ["--alpha", "--model linear"]),
+    ] {
+        let (status, out, err) = run(&format!("chattering-time {CASE} {options}"));
+        assert_eq!((status, out.as_str(), err.lines().count()), (Some(2), "", 1), "{options}");
+        assert!(words.iter().all(|word| err.contains(word)), "{options}: {err}");
+    }
+}
+
+/// A stocky block overturns where the slender one comes to rest, and below its own threshold it does not rock at all.
+#[test]
+fn the_slenderness_that_is_given_is_that_of_the_answer() {
+    let (_, out, _) = run("chattering-time --a 1.01 --omega 2 --eta 0.92 --alpha 1.57");
+    assert!(out.contains("overturned"), "{out}");
+    let (_, out, _) = run("chattering-time --a 1.02 --omega 2 --eta 0.92 --alpha 0.5 --normalisation slender");
+    assert!(out.contains("does not rock"), "{out}");
+    let (status, _, err) = run("chattering-time --a 1.01 --omega 2 --eta 0.92 --alpha 1.57 --oracle closed-form");
+    assert!(status == Some(2) && err.contains("alpha = 1.57") && err.contains("closed-form"), "{err}");
+}
+
+/// What the other commands do with each of their options: an option that changes what is printed (`Used`, against the command without it), or one that
+/// is refused together with others, naming words.
+enum Then {
+    Used,
+    Refused(&'static [&'static str]),
+}
+
+const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/paper_fig_9.toml");
+
+#[test]
+fn an_option_of_a_command_is_used_or_refused() {
+    use Then::{Refused, Used};
+    let rows: &[(&str, &str, Then)] = &[
+        ("critical-amplitude --omega 2 --eta 0.5", "--format json", Used),
+        ("plan SCENE", "--tolerance 1e-3", Used),
+        ("plan SCENE", "--format json", Used),
+        ("scene SCENE", "--format json", Used),
+        ("scene SCENE", "--schema", Refused(&["--schema", "FILE"])),
+        ("scene --schema", "--format text", Refused(&["--schema", "--format"])),
+        ("response SCENE", "--model nonlinear", Used),
+        ("response SCENE", "--termination chattering", Used),
+        ("response SCENE", "--termination velocity", Refused(&["velocity-threshold"])),
+        ("response SCENE --termination velocity", "--velocity-threshold 1e-3", Used),
+        (
+            "response SCENE",
+            "--velocity-threshold 1e-3",
+            Refused(&["velocity-threshold = 0.001", "--termination velocity"]),
+        ),
+        ("response SCENE --termination chattering", "--condition eq77 --until 0.5", Used),
+        ("response SCENE", "--condition eq77", Refused(&["condition", "--termination chattering"])),
+        ("response SCENE", "--until 0.5", Used),
+        ("response SCENE", "--from 0.5", Used),
+        ("response SCENE", "--to 0.5", Used),
+        ("response SCENE", "--steps 7", Used),
+        ("response SCENE", "--format json", Used),
+        ("response SCENE --format json", "--from 0.5", Refused(&["from = 0.5", "--format csv"])),
+        ("response SCENE --format json", "--to 0.5", Refused(&["to = 0.5", "--format csv"])),
+        ("response SCENE --format json", "--steps 7", Refused(&["steps = 7", "--format csv"])),
+        ("chattering-time", "--scene SCENE --alpha 0.1", Refused(&["--scene", "--alpha"])),
+        ("chattering-time", "--scene SCENE --normalisation slender", Refused(&["--normalisation"])),
+        ("chattering-time --a 1.01 --omega 2 --eta 0.9", "--normalisation slender", Refused(&["--alpha"])),
+        ("chattering-time --a 1.01 --omega 2 --eta 0.9", "--epsilon 0.01", Refused(&["--epsilon", "--a"])),
+        ("chattering-time --scene SCENE", "--impacts 5", Refused(&["impacts = 5", "auto"])),
+        ("chattering-time --scene SCENE", "--until 5", Refused(&["until = 5", "auto"])),
+        ("chattering-time --scene SCENE", "--digits 5", Used),
+        ("verify", "--oracles closed-form,closed-form", Refused(&["oracles = closed-form", "each once"])),
+        ("verify", "--oracles ode,ode/linear/bdf", Refused(&["oracles = ode/linear/bdf", "each once"])),
+        ("verify", "--oracles closed-form", Refused(&["oracles = closed-form", "two oracles"])),
+        ("verify", "--partition 0/2", Refused(&["partition = 0/2"])),
+        ("verify", "--judge -1", Refused(&["judge = -1"])),
+        ("chart --out /tmp", "--only atlas --peers none.csv", Refused(&["peers", "--only work-precision"])),
+        ("diagnose --out /tmp", "--eta 0.9,0.9", Refused(&["eta", "once"])),
+        ("diagnose --out /tmp", "--omega 9", Refused(&["omega = 9"])),
+        ("diagnose --out /tmp", "--grid 0", Refused(&["grid = 0"])),
+    ];
+    for (command, option, then) in rows {
+        let [command, option] = [command, option].map(|text| text.replace("SCENE", SCENE));
+        let (status, out, err) = run(&format!("{command} {option}"));
+        match then {
+            Used => {
+                assert_eq!(status, Some(0), "{command} {option}: {err}");
+                assert_ne!(out, run(&command).1, "{command}: ignores {option}");
+            }
+            Refused(words) => {
+                assert_eq!((status, out.as_str(), err.lines().count()), (Some(2), "", 1), "{command} {option}: {err}");
+                assert!(words.iter().all(|word| err.contains(word)), "{command} {option}: {err}");
+            }
+        }
+    }
+}
+
+/// A new option has to be put into one of the tables above, or named here with the test that uses it.
+#[test]
+fn every_option_of_every_command_is_known_to_these_tests() {
+    let elsewhere = [
+        // The commands that take a while: their own tests run them with these.
+        "--cases",
+        "--seed",
+        "--oracles",
+        "--json",
+        "--junit",
+        "--judge",
+        "--partition",
+        "--replays",
+        "--quiet",
+        "--out",
+        "--only",
+        "--peers",
+        "--grid",
+        "--help",
+    ];
+    let source = include_str!("options.rs");
+    let (_, help, _) = run("--help");
+    let commands = help.lines().skip_while(|line| !line.starts_with("Commands")).skip(1);
+    let commands: Vec<&str> =
+        commands.take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(commands.len() > 10, "{commands:?}");
+    let mut seen = BTreeSet::new();
+    for command in commands.into_iter().filter(|command| *command != "help") {
+        let (_, help, _) = run(&format!("{command} --help"));
+        let words = help.lines().map(str::trim_start).filter(|line| line.starts_with("--") || line.starts_with("-h"));
+        for option in words.flat_map(str::split_whitespace).filter(|word| word.starts_with("--")) {
+            let option = option.trim_matches([',', '.']);
+            assert!(
+                elsewhere.contains(&option)
+                    || source.contains(&format!("{option} "))
+                    || source.contains(&format!("{option}\"")),
+                "{command} {option} is in no table"
+            );
+            seen.insert(option.to_owned());
+        }
+    }
+    assert!(elsewhere.iter().all(|option| seen.contains(*option)), "{seen:?}");
+}
