@@ -1,5 +1,5 @@
 //! What `auto` costs against the generic solver at the tolerance that the strictest question needs, on the same 2,000 questions; and what each method costs, beside
-//! what the plan predicts. One answer in 20 is verified against the proven one before anything is timed; `tests/plan.rs` does so with all of them.
+//! what the plan predicts. One answer in 20 is verified against the proven one before anything is timed; `tests/motion/plan.rs` does so with all of them.
 //!
 //! `auto` is timed from the numbers of a case to its answer. The solver runs every 20th question, once for 200 impacts, as one does who does not know how many
 //! will be enough, and once for as many as `auto` took (200 where that took none). For each question the least of five rounds is taken, as what

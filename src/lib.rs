@@ -10,10 +10,13 @@
 //!
 //! Beside the gate: [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
 //! from rest to rest, and [`studies`] holds what is measured once and drawn: the paper's figures, the atlas of failures, work against precision.
+//!
+//! The [`guide`] says more, with what was measured.
 
 pub mod cases;
 pub mod faults;
 pub mod gate;
+pub mod guide;
 pub mod measure;
 pub mod motion;
 pub mod panel;

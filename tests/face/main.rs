@@ -2,9 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 mod command_line;
+mod guide;
 mod independence;
 mod options;
+mod pages;
 mod readme;
+mod record;
 
 #[path = "../effort/mod.rs"]
 mod effort;

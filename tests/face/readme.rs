@@ -1,63 +1,42 @@
-//! The README's generated parts are what the program says.
+//! The README: short, its two commands first, and the verdict that it shows is from the run that is kept.
 
-use assert_cmd::Command;
+use super::pages::read;
 
-fn readme() -> String {
-    std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap()
-}
-
-/// What stands between the markers of a generated part.
-fn part(name: &str) -> String {
-    let readme = readme();
-    let (_, from) = readme.split_once(&format!("<!-- {name}:begin")).unwrap();
-    let (inside, _) = from.split_once(&format!("<!-- {name}:end")).unwrap();
-    inside.split_once("-->").unwrap().1.trim().to_owned()
-}
+/// A README of one success; the rest is in the guide.
+const MOST_BYTES: usize = 8192;
 
 #[test]
-fn the_tolerance_table_is_the_one_in_force() {
-    let output = Command::new(env!("CARGO_BIN_EXE_chattercheck")).arg("tolerances").assert().success();
-    let table = String::from_utf8(output.get_output().stdout.clone()).unwrap();
-    assert_eq!(part("tolerances"), table.trim(), "put the output of `chattercheck tolerances` into the README");
-}
-
-#[test]
-fn what_the_paper_says_wrongly_is_what_a_run_finds() {
-    // That the committed summary is what a run gives is for tests/paper.rs.
-    assert_eq!(
-        part("paper"),
-        include_str!("../../data/paper/summary.md").trim(),
-        "put data/paper/summary.md into the README"
-    );
-}
-
-#[test]
-fn the_two_commands_come_first_and_the_run_shown_is_of_this_program() {
-    let readme = readme();
-    let verify = readme.find("cargo run --release -- verify").unwrap();
-    let test = readme.find("cargo test --workspace").unwrap();
+fn the_readme_is_short_and_begins_with_the_two_commands() {
+    let readme = read("README.md");
+    assert!(readme.len() <= MOST_BYTES, "{} bytes, {MOST_BYTES} allowed: move something to the guide", readme.len());
+    let verify = readme.find("$ cargo run --release -- verify\n").unwrap();
+    let test = readme.find("$ cargo test --workspace\n").unwrap();
     assert!(verify < test && test < 400);
-    let run = part("verify");
-    assert!(run.contains(concat!("chattercheck ", env!("CARGO_PKG_VERSION"))), "the run shown is of another version");
-    for oracle in chattercheck::panel::default() {
-        assert!(run.contains(oracle.name()), "the run shown lacks {}", oracle.name());
-    }
-    assert!(run.contains("PASS"));
 }
 
 #[test]
-fn every_command_that_the_readme_shows_is_understood() {
-    let readme = readme();
-    let shown = readme.lines().filter_map(|line| line.strip_prefix("$ chattercheck "));
-    let mut count = 0;
-    for line in shown {
-        let command = line.split_whitespace().next().unwrap();
-        let help = Command::new(env!("CARGO_BIN_EXE_chattercheck")).args([command, "--help"]).assert().success();
-        let help = String::from_utf8(help.get_output().stdout.clone()).unwrap();
-        for flag in line.split_whitespace().filter(|word| word.starts_with("--")) {
-            assert!(help.contains(flag), "{command} has no {flag}");
-        }
-        count += 1;
+fn the_verdict_shown_is_from_the_run_that_is_kept() {
+    let (readme, run) = (read("README.md"), read("data/record/verify.md"));
+    let (_, from) = readme.split_once("<!-- verify:begin").unwrap();
+    let (shown, _) = from.split_once("<!-- verify:end").unwrap();
+    let shown: Vec<&str> = shown.lines().skip(1).filter(|line| !line.starts_with("```")).collect();
+    assert!((10..=25).contains(&shown.len()), "{} lines", shown.len());
+    for line in &shown {
+        assert!(run.lines().any(|kept| kept == *line), "data/record/verify.md lacks: {line}");
     }
-    assert!(count >= 6);
+    assert!(shown.iter().any(|line| line.starts_with("PASS")));
+}
+
+#[test]
+fn every_chapter_is_in_the_guide_and_reached_from_the_readme() {
+    let (readme, guide) = (read("README.md"), read("src/guide/mod.rs"));
+    for entry in std::fs::read_dir(super::pages::root().join("src/guide")).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        if name != "mod" {
+            assert!(guide.contains(&format!("]({name})")), "src/guide/mod.rs does not introduce {name}");
+            assert!(guide.contains(&format!("[{name}]: mod@super::{name}\n")), "src/guide/mod.rs does not link {name}");
+            assert!(readme.contains(&format!("(src/guide/{name}.md)")), "the README does not lead to {name}");
+        }
+    }
 }

@@ -8,9 +8,9 @@
 //! Every text may hold subscripts, `a_{cr}`, and no-break spaces where a line must not end.
 //!
 //! ```
-//! use chattercheck::chart::{Axis, LineChart, Mark, Panel, Table};
+//! use chattercheck::studies::chart::{Axis, LineChart, Mark, Panel, Table};
 //!
-//! # fn main() -> Result<(), chattercheck::chart::Error> {
+//! # fn main() -> Result<(), chattercheck::studies::chart::Error> {
 //! let csv = "eta,method,a,error\n0.9,exact,1.01,1e-16\n0.9,exact,1.02,2e-16\n0.9,series,1.01,1e-3\n0.9,series,1.02,\n";
 //! let table = Table::from_reader("errors.csv", csv.as_bytes())?;
 //! let mut panels = Vec::new();

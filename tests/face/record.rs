@@ -1,0 +1,47 @@
+//! The tables under `data/record` that can be made again in a moment are what the program prints; the others are of this version of it.
+
+use std::collections::BTreeSet;
+
+use assert_cmd::Command;
+use chattercheck::{faults::catalogue::catalogue, gate::run, panel};
+
+use super::pages::read;
+
+/// The rows of the tables in a page, each without the spaces around its cells.
+fn rows(text: &str) -> Vec<Vec<&str>> {
+    let table = text.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
+    table.map(|row| row.split(" | ").map(str::trim).collect()).collect()
+}
+
+#[test]
+fn the_tolerance_table_is_the_one_in_force() {
+    let output = Command::new(env!("CARGO_BIN_EXE_chattercheck")).arg("tolerances").assert().success();
+    let printed = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    let kept = read("data/record/tolerances.md");
+    assert!(kept.ends_with(&printed), "put what `chattercheck tolerances` prints into data/record/tolerances.md");
+}
+
+#[test]
+fn the_full_run_is_of_this_program_and_its_cases() {
+    let kept = read("data/record/verify.md");
+    assert!(kept.contains(concat!("chattercheck ", env!("CARGO_PKG_VERSION"))), "the run is of another version");
+    for oracle in panel::default() {
+        assert!(kept.contains(oracle.name()), "the run lacks {}", oracle.name());
+    }
+    let request = run::Request { cases: run::Request::DEFAULT_CASES, seed: 1, partition: (1, 1) };
+    let cases = run::cases(&request).len();
+    assert!(kept.contains(&format!("{cases} cases")), "the run is not of the {cases} cases of today");
+    assert!(kept.contains("\nPASS"));
+}
+
+#[test]
+fn the_detection_floor_has_every_planted_fault_and_none_escapes() {
+    let kept = read("data/record/detection_floor.md");
+    let measured: BTreeSet<(&str, &str)> = rows(&kept).iter().skip(2).map(|row| (row[0], row[1])).collect();
+    let oracles = panel::default();
+    let mistakes = catalogue(oracles.iter().map(|oracle| (oracle.name(), oracle.model())));
+    let planted: BTreeSet<(&str, &str)> =
+        mistakes.iter().map(|mistake| (mistake.name, mistake.oracle.as_str())).collect();
+    assert_eq!(measured, planted, "run `chattercheck detection-floor --format markdown` again");
+    assert!(!kept.contains("ESCAPES"));
+}
