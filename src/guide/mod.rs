@@ -1,9 +1,9 @@
 //! The guide: how the gate works, how to use it, and what was measured with it. Its Rust examples run as tests.
 //!
 //! - The gate: [how a verdict comes about](gate), [the judge](judge), [reading a red run](red), [what the gate catches](detection),
-//!   [expected divergences](divergences), [cases](cases).
-//! - Using it: [the commands](commands), [the methods](methods), [scenes](scenes), [responses](responses), [the plan](plan).
-//! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [speed](speed),
+//!   [expected divergences](divergences), [where cases come from](cases).
+//! - Using it: [the commands](commands), [the methods](methods), [scenes in physical units](scenes), [whole responses](responses), [the plan](plan).
+//! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [how fast it is](speed),
 //!   [other tools](peers).
 //! - Working on it: [adding a method, a law, a case](add).
 
@@ -12,23 +12,23 @@
 macro_rules! links {
     () => {
         "\
-[gate]: mod@super::gate
-[judge]: mod@super::judge
-[red]: mod@super::red
-[detection]: mod@super::detection
-[divergences]: mod@super::divergences
-[cases]: mod@super::cases
-[commands]: mod@super::commands
-[methods]: mod@super::methods
-[scenes]: mod@super::scenes
-[responses]: mod@super::responses
-[plan]: mod@super::plan
-[asymptotics]: mod@super::asymptotics
-[critical]: mod@super::critical
-[paper]: mod@super::paper
-[speed]: mod@super::speed
-[peers]: mod@super::peers
-[add]: mod@super::add
+[gate]: crate::guide::gate
+[judge]: crate::guide::judge
+[red]: crate::guide::red
+[detection]: crate::guide::detection
+[divergences]: crate::guide::divergences
+[cases]: crate::guide::cases
+[commands]: crate::guide::commands
+[methods]: crate::guide::methods
+[scenes]: crate::guide::scenes
+[responses]: crate::guide::responses
+[plan]: crate::guide::plan
+[asymptotics]: crate::guide::asymptotics
+[critical]: crate::guide::critical
+[paper]: crate::guide::paper
+[speed]: crate::guide::speed
+[peers]: crate::guide::peers
+[add]: crate::guide::add
 
 "
     };

@@ -35,7 +35,10 @@ fn every_chapter_is_in_the_guide_and_reached_from_the_readme() {
         let name = path.file_stem().unwrap().to_str().unwrap();
         if name != "mod" {
             assert!(guide.contains(&format!("]({name})")), "src/guide/mod.rs does not introduce {name}");
-            assert!(guide.contains(&format!("[{name}]: mod@super::{name}\n")), "src/guide/mod.rs does not link {name}");
+            assert!(
+                guide.contains(&format!("[{name}]: crate::guide::{name}\n")),
+                "src/guide/mod.rs does not link {name}"
+            );
             assert!(readme.contains(&format!("(src/guide/{name}.md)")), "the README does not lead to {name}");
         }
     }
