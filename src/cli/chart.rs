@@ -7,7 +7,7 @@ use chattercheck::{
 };
 use clap::{Args, ValueEnum};
 
-use super::{Status, output::print};
+use super::{Status, files::make_folder, output::print};
 
 /// Speed against accuracy, and where methods fail: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -42,8 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     );
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
     // First, because what follows takes a while.
-    fs::create_dir_all(out)
-        .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
+    make_folder("out", out)?;
     let bar = indicatif::ProgressBar::new_spinner();
     let wanted = |part| only.is_none_or(|only| only == part);
     if wanted(Part::WorkPrecision) {

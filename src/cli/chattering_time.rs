@@ -12,7 +12,7 @@ use super::{
     Status,
     case_flags::CaseFlags,
     oracle_flags::{Asked, OracleFlags},
-    output::Format,
+    output::{Format, note},
 };
 
 /// The chattering time of one case: when the infinite sequence of impacts comes to rest
@@ -147,10 +147,10 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
     if time.is_some() && !found.meets {
-        eprintln!(
+        note(format_args!(
             "auto: worse than the tolerance of {:.0e} that was asked; no method is predicted to do better",
             question.tolerance
-        );
+        ));
     }
     Ok(if outcome.is_some() { Status::Well } else { Status::Disagreed })
 }
@@ -163,7 +163,7 @@ fn enclosed(arguments: &Arguments, proven: &Proven, case: &Case) -> anyhow::Resu
         (answer.lower, answer.upper) = (Some(lower), Some(upper));
         answer.method = Some("proven bounds");
         if proven.wider_than_asked {
-            eprintln!("{}: proven, but wider than asked: it would have taken too long", proven.oracle);
+            note(format_args!("{}: proven, but wider than asked: it would have taken too long", proven.oracle));
         }
     }
     answer.seconds = seconds(arguments, &answer)?;

@@ -9,7 +9,11 @@ use chattercheck::{
 use clap::{Args, ValueEnum};
 use comfy_table::{Table, presets};
 
-use super::{Status, output::print};
+use super::{
+    Status,
+    output::{note, print},
+    seed::Seed,
+};
 
 /// Plant every fault of the catalogue in turn, and find the smallest size at which the gate is red
 #[derive(Args)]
@@ -17,9 +21,8 @@ pub(super) struct Arguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Seed of the random cases
-    #[arg(long, value_name = "S", default_value_t = 1, env = "CHATTERCHECK_SEED", allow_negative_numbers = true)]
-    seed: u64,
+    #[command(flatten)]
+    seed: Seed,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -30,21 +33,22 @@ enum Format {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let gate = Gate::new(panel::default(), arguments.seed);
+    let gate = Gate::new(panel::default(), arguments.seed.value()?);
     let faults = catalogue(gate.oracles());
     let bar = indicatif::ProgressBar::new(faults.len() as u64);
     let rows = floor::table(&gate, &faults, || bar.inc(1))?;
     bar.finish_and_clear();
-    match arguments.format {
-        Format::Json => print(&(serde_json::to_string_pretty(&rows)? + "\n"))?,
-        Format::Markdown => print(&markdown(&rows))?,
-        Format::Text => print(&text(&rows))?,
-    }
+    let written = print(&match arguments.format {
+        Format::Json => serde_json::to_string_pretty(&rows)? + "\n",
+        Format::Markdown => markdown(&rows),
+        Format::Text => text(&rows),
+    });
     let escaped: Vec<&Row> = rows.iter().filter(|row| row.escapes()).collect();
     for row in &escaped {
-        eprintln!("chattercheck: the gate stays green with \"{}\" in {}", row.fault, row.oracle);
+        note(format_args!("chattercheck: the gate stays green with \"{}\" in {}", row.fault, row.oracle));
     }
-    Ok(if escaped.is_empty() { Status::Well } else { Status::Disagreed })
+    let status = if escaped.is_empty() { Status::Well } else { Status::Disagreed };
+    Ok(status.after(written.map_err(Into::into)))
 }
 
 const HEAD: [&str; 6] = ["fault", "oracle", "size is", "natural", "smallest caught", "by"];

@@ -1,6 +1,6 @@
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context as _, anyhow};
+use anyhow::anyhow;
 use chattercheck::studies::{
     chart,
     diagnose::{CHARTS, Scope, Tables},
@@ -8,7 +8,7 @@ use chattercheck::studies::{
 use clap::Args;
 use contract::Invalid;
 
-use super::{Status, case_flags::number, output::print};
+use super::{Status, case_flags::number, files::make_folder, output::print};
 
 /// Where and why the asymptotic series breaks near the critical amplitude: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -34,8 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { out, omega, eta, grid } = arguments;
     let request = request(*omega, eta, *grid)?;
     // First, because what follows takes a while.
-    fs::create_dir_all(out)
-        .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
+    make_folder("out", out)?;
     let bar = indicatif::ProgressBar::new_spinner();
     let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();

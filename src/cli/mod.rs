@@ -6,6 +6,7 @@ mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
+mod files;
 mod oracle_flags;
 mod oracles;
 mod output;
@@ -16,6 +17,7 @@ mod replay;
 mod report_files;
 mod response;
 mod scene;
+mod seed;
 mod simulate;
 mod tolerances;
 mod verify;
@@ -23,10 +25,12 @@ mod verify;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use output::{Unwritten, note};
 
 /// Differential verification of the chattering of a rocking rigid block.
 ///
-/// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong.
+/// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong; 3 the machine failed,
+/// such as a full disk; 130 or 143 interrupted before the end, with nothing wrong so far.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Cli {
@@ -54,11 +58,41 @@ enum Command {
 }
 
 /// What a command that ran came to.
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Status {
     /// All is well.
     Well,
     /// A check disagreed.
     Disagreed,
+    /// The machine failed, such as a full disk, where no check had disagreed.
+    Failed,
+    /// A signal ended the run before it was through, and nothing had disagreed so far.
+    Interrupted(u8),
+}
+
+impl Status {
+    /// The status with what became of writing the outputs: a check that disagreed is told by the status even where nothing else can be written.
+    fn after(self, written: anyhow::Result<()>) -> Self {
+        match written {
+            Ok(()) => self,
+            Err(error) => {
+                note(format_args!("chattercheck: {error:#}"));
+                if self == Self::Well { Self::Failed } else { self }
+            }
+        }
+    }
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Well => Self::SUCCESS,
+            Status::Disagreed => Self::from(1),
+            Status::Failed => Self::from(3),
+            // As of a process that the signal had killed.
+            Status::Interrupted(signal) => Self::from(128 + signal),
+        }
+    }
 }
 
 /// Parses the command line and runs the command.
@@ -85,13 +119,10 @@ pub(crate) fn run() -> ExitCode {
         Command::Plan(arguments) => plan::run(&arguments),
     };
     match result {
-        Ok(Status::Well) => ExitCode::SUCCESS,
-        Ok(Status::Disagreed) => ExitCode::from(1),
-        // A reader that has seen enough, as in `chattercheck simulate | head`, is no error.
-        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Ok(status) => status.into(),
         Err(error) => {
-            eprintln!("chattercheck: {error:#}");
-            ExitCode::from(2)
+            note(format_args!("chattercheck: {error:#}"));
+            if error.chain().any(|cause| cause.is::<Unwritten>()) { Status::Failed.into() } else { ExitCode::from(2) }
         }
     }
 }
@@ -105,15 +136,6 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let lines = text.lines().take_while(|line| !line.starts_with("Usage") && !line.starts_with("For more"));
     let line = lines.map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    eprintln!("chattercheck: {}", line.trim_start_matches("error: "));
+    note(format_args!("chattercheck: {}", line.trim_start_matches("error: ")));
     ExitCode::from(2)
-}
-
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    let io = error.chain().filter_map(|cause| cause.downcast_ref::<std::io::Error>());
-    let of_csv = error.chain().filter_map(|cause| match cause.downcast_ref::<csv::Error>()?.kind() {
-        csv::ErrorKind::Io(io) => Some(io),
-        _ => None,
-    });
-    io.chain(of_csv).any(|io| io.kind() == std::io::ErrorKind::BrokenPipe)
 }

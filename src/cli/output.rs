@@ -1,20 +1,63 @@
-//! Printing for people, where a reader that has gone away must not change the exit status.
+//! The one place where the command line writes to stdout and stderr.
+//!
+//! Data goes to stdout. A reader that has seen enough, as in `chattercheck simulate | head`, is no error and changes no exit status; anything else that
+//! keeps data from being written is. Notes go to stderr, and what becomes of them never matters: a closed or full stderr changes nothing.
 
-use std::io::{self, Write as _};
+use std::{
+    fmt,
+    io::{self, BufWriter, Write},
+};
 
 use clap::ValueEnum;
 use serde::Serialize;
 
-/// Prints a text to stdout. A reader that has seen enough, as in `chattercheck verify | head`, is no error.
+/// That an output could not be written to: the fault of the machine, not of the request.
+#[derive(Debug)]
+pub(super) struct Unwritten(pub io::Error);
+
+impl fmt::Display for Unwritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot write to stdout: {}", self.0)
+    }
+}
+
+impl std::error::Error for Unwritten {}
+
+/// Writes to stdout what `content` writes.
 ///
 /// # Errors
-/// When stdout can't be written to for any other reason.
-pub(super) fn print(text: &str) -> io::Result<()> {
-    let mut stdout = io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+/// When stdout can't be written to, other than for a reader that has gone away.
+pub(super) fn write(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Unwritten> {
+    let mut stdout = BufWriter::new(io::stdout().lock());
+    match content(&mut stdout).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
+        result => result.map_err(Unwritten),
     }
+}
+
+/// Prints a text to stdout.
+///
+/// # Errors
+/// As [`write`].
+pub(super) fn print(text: &str) -> Result<(), Unwritten> {
+    write(|stdout| stdout.write_all(text.as_bytes()))
+}
+
+/// Prints rows as CSV, under the names of their fields.
+///
+/// # Errors
+/// As [`write`].
+pub(super) fn print_csv<Row: Serialize>(rows: &[Row]) -> Result<(), Unwritten> {
+    write(|stdout| {
+        let mut csv = csv::Writer::from_writer(stdout);
+        rows.iter().try_for_each(|row| csv.serialize(row))?;
+        csv.flush()
+    })
+}
+
+/// Tells people something, on stderr, if anybody listens.
+pub(super) fn note(text: impl fmt::Display) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
 /// How a command that answers one question prints its answer.

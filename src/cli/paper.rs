@@ -1,10 +1,9 @@
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
-use anyhow::Context as _;
 use chattercheck::studies::{chart, paper};
 use clap::Args;
 
-use super::{Status, output::print};
+use super::{Status, files::make_folder, output::print};
 
 /// The paper again: its figures as tables (CSV) and charts (SVG) drawn from them, and its claims, each measured and judged
 ///
@@ -20,8 +19,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { out } = arguments;
     // First, because what follows takes a while.
-    fs::create_dir_all(out)
-        .with_context(|| format!("out = {} is not a folder, and cannot be made one", out.display()))?;
+    make_folder("out", out)?;
     let bar = indicatif::ProgressBar::new_spinner();
     let files = paper::files(|| bar.inc(1))?;
     bar.finish_and_clear();

@@ -1,11 +1,17 @@
-use std::{fs, path::PathBuf};
+use std::{collections::BTreeMap, path::PathBuf};
 
-use anyhow::{Context as _, anyhow};
-use chattercheck::studies::reference;
+use anyhow::anyhow;
+use chattercheck::studies::{
+    chart::{csv_text, place},
+    reference,
+};
 use clap::Args;
-use serde::Serialize;
 
-use super::Status;
+use super::{
+    Status,
+    files::make_folder,
+    output::{note, print},
+};
 
 /// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; critical amplitudes,
 /// certified ones and an interpolant
@@ -17,7 +23,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let folder = &arguments.out;
+    // First, because what follows takes a while.
+    make_folder("out", &arguments.out)?;
     let bar = indicatif::ProgressBar::new_spinner();
     let (impacts, times) = reference::tables(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     let (proven_impacts, proven_times) =
@@ -25,20 +32,18 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let critical = reference::critical_amplitudes(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     let interpolant = reference::critical_interpolant(|| bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
-    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-    write(&folder.join("linear_impacts.csv"), &impacts)?;
-    write(&folder.join("linear_chattering_times.csv"), &times)?;
-    write(&folder.join("proven_impacts.csv"), &proven_impacts)?;
-    write(&folder.join("proven_chattering_times.csv"), &proven_times)?;
-    write(&folder.join("critical_amplitudes.csv"), &critical)?;
-    write(&folder.join("critical_interpolant.csv"), &interpolant)?;
+    let tables = [
+        ("linear_impacts.csv", csv_text(&impacts)?),
+        ("linear_chattering_times.csv", csv_text(&times)?),
+        ("proven_impacts.csv", csv_text(&proven_impacts)?),
+        ("proven_chattering_times.csv", csv_text(&proven_times)?),
+        ("critical_amplitudes.csv", csv_text(&critical)?),
+        ("critical_interpolant.csv", csv_text(&interpolant)?),
+    ];
+    for (name, text) in &tables {
+        note(format_args!("{name}: {} rows", text.lines().count().saturating_sub(1)));
+    }
+    let tables: BTreeMap<String, String> = tables.map(|(name, text)| (name.to_owned(), text)).into();
+    print(&place(&arguments.out, &tables)?)?;
     Ok(Status::Well)
-}
-
-fn write<Row: Serialize>(path: &PathBuf, rows: &[Row]) -> anyhow::Result<()> {
-    let mut csv = csv::Writer::from_path(path).with_context(|| format!("cannot write {}", path.display()))?;
-    rows.iter().try_for_each(|row| csv.serialize(row))?;
-    csv.flush()?;
-    eprintln!("{}: {} rows", path.display(), rows.len());
-    Ok(())
 }

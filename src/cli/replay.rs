@@ -9,7 +9,7 @@ use chattercheck::{
 use clap::Args;
 use contract::Oracle;
 
-use super::{Status, output::print, report_files::ReportFiles};
+use super::{Status, report_files::ReportFiles};
 
 /// Run one stored disagreement again
 #[derive(Args)]
@@ -22,7 +22,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
-    arguments.files.check()?;
+    let files = arguments.files.check()?;
     let text = fs::read_to_string(&arguments.file).with_context(|| format!("cannot read {path}"))?;
     let (replay, case) = Replay::read(&text).with_context(|| path.to_string())?;
     let panel = panel::select(&replay.oracles.join(",")).with_context(|| path.to_string())?;
@@ -31,7 +31,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
     let (report, _) = run::run(&panel, &judges, &cases, replay.seed, None, || ());
-    arguments.files.write(&report, &cases)?;
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));
@@ -44,6 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         (false, true) => "FAIL: this says nothing about the disagreement",
         (false, false) => "FAIL: the disagreement is still there",
     };
-    print(&format!("{text}{verdict}\n"))?;
-    Ok(if report.passes() { Status::Well } else { Status::Disagreed })
+    let status = if report.passes() { Status::Well } else { Status::Disagreed };
+    let status = status.after(files.print(&format!("{text}{verdict}\n")));
+    Ok(status.after(files.write(&report, &cases)))
 }

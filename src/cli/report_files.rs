@@ -1,11 +1,7 @@
 //! The files that a report is written to, for machines.
 
-use std::{
-    fs::{self, OpenOptions},
-    path::PathBuf,
-};
+use std::path::PathBuf;
 
-use anyhow::Context as _;
 use chattercheck::{
     cases::generate::Named,
     gate::report::{self, Report},
@@ -13,48 +9,60 @@ use chattercheck::{
 use clap::Args;
 use contract::Invalid;
 
+use super::{files::Target, output};
+
 #[derive(Args)]
 pub(super) struct ReportFiles {
-    /// Write the report as JSON
+    /// Write the report as JSON; - is stdout, in place of the text
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write the report as JUnit XML
+    /// Write the report as JUnit XML; - is stdout, in place of the text
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
 }
 
+/// Files that can be written.
+pub(super) struct Targets {
+    json: Option<Target>,
+    junit: Option<Target>,
+}
+
 impl ReportFiles {
     /// That the files can be written is found out before the work, not after it. What is in them stays.
-    pub fn check(&self) -> anyhow::Result<()> {
-        if let (Some(json), Some(junit)) = (&self.json, &self.junit)
-            && json == junit
+    ///
+    /// # Errors
+    /// When one can't be written, or both are the same.
+    pub fn check(&self) -> anyhow::Result<Targets> {
+        let target = |path: &Option<PathBuf>| path.as_deref().map(Target::new).transpose();
+        let (json, junit) = (target(&self.json)?, target(&self.junit)?);
+        if let (Some(json), Some(junit)) = (&json, &junit)
+            && json.is(junit)
         {
-            return Err(Invalid::new("junit", junit.display(), "another file than that of --json").into());
+            let allowed = "another file than that of --json";
+            return Err(Invalid::new("junit", junit.given.display(), allowed).into());
         }
-        for path in [&self.json, &self.junit].into_iter().flatten() {
-            let existed = path.exists();
-            OpenOptions::new()
-                .append(true)
-                .create(true)
-                .open(path)
-                .with_context(|| format!("cannot write {}", path.display()))?;
-            if !existed {
-                fs::remove_file(path).with_context(|| format!("cannot write {}", path.display()))?;
-            }
-        }
-        Ok(())
+        Ok(Targets { json, junit })
+    }
+}
+
+impl Targets {
+    /// Prints the report for people, unless stdout is for that of machines.
+    ///
+    /// # Errors
+    /// When stdout can't be written to.
+    pub fn print(&self, text: &str) -> anyhow::Result<()> {
+        let is_taken = [&self.json, &self.junit].into_iter().flatten().any(Target::is_stdout);
+        if is_taken { Ok(()) } else { Ok(output::print(text)?) }
     }
 
-    /// Writes the report.
+    /// Writes the report: each file whole, or not at all.
+    ///
+    /// # Errors
+    /// When one can't be written; the other one is all the same.
     pub fn write(&self, report: &Report, cases: &[Named]) -> anyhow::Result<()> {
-        if let Some(path) = &self.json {
-            let text = serde_json::to_string_pretty(report)? + "\n";
-            fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))?;
-        }
-        if let Some(path) = &self.junit {
-            fs::write(path, report::junit(report, cases)?)
-                .with_context(|| format!("cannot write {}", path.display()))?;
-        }
-        Ok(())
+        let json =
+            self.json.as_ref().map_or(Ok(()), |file| file.write(&(serde_json::to_string_pretty(report)? + "\n")));
+        let junit = self.junit.as_ref().map_or(Ok(()), |file| file.write(&report::junit(report, cases)?));
+        json.and(junit)
     }
 }

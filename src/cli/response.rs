@@ -12,7 +12,7 @@ use serde::Serialize;
 use super::{
     Status,
     case_flags::{number, read_scene},
-    output::print,
+    output::{note, print, print_csv},
 };
 
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
@@ -131,12 +131,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
             let window = arguments.window(response.end)?;
             let samples =
                 response.samples(oracle.as_ref(), &request, &window).map_err(|decline| anyhow!("{decline}"))?;
-            let mut csv = csv::Writer::from_writer(std::io::stdout().lock());
-            samples.iter().try_for_each(|sample| csv.serialize(sample))?;
-            csv.flush()?;
+            print_csv(&samples)?;
         }
     }
-    eprintln!("{name}: {}", summary(&response));
+    note(format_args!("{name}: {}", summary(&response)));
     let lost = response.bouts.iter().any(|bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts));
     Ok(if lost { Status::Disagreed } else { Status::Well })
 }

@@ -1,5 +1,3 @@
-use std::io::Write as _;
-
 use anyhow::{anyhow, bail};
 use chattercheck::{
     motion::plan::Question,
@@ -13,6 +11,7 @@ use super::{
     Status,
     case_flags::CaseFlags,
     oracle_flags::{Asked, OracleFlags},
+    output,
 };
 
 /// One impact history
@@ -78,16 +77,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     };
     let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
     let rows = rows(&history);
-    let mut stdout = std::io::stdout().lock();
     match arguments.format {
-        Format::Csv => {
+        Format::Csv => output::write(|stdout| {
+            // Without rows there would be no head.
             let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(stdout);
             csv.write_record(["n", "tau", "interval", "velocity", "sign"])?;
-            for row in &rows {
-                csv.serialize(row)?;
-            }
-            csv.flush()?;
-        }
+            rows.iter().try_for_each(|row| csv.serialize(row))?;
+            csv.flush()
+        })?,
         Format::Json => {
             let rocks = history.ending != Ending::NeverRocks;
             let document = Document {
@@ -96,10 +93,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
                 ending: history.ending.to_string(),
                 impacts: claimed(rows, &history),
             };
-            writeln!(stdout, "{}", serde_json::to_string_pretty(&document)?)?;
+            output::print(&(serde_json::to_string_pretty(&document)? + "\n"))?;
         }
     }
-    eprintln!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len());
+    output::note(format_args!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len()));
     Ok(if matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
 }
 

@@ -1,6 +1,5 @@
-use std::{fs, path::PathBuf};
+use std::path::{Path, PathBuf};
 
-use anyhow::Context as _;
 use chattercheck::{
     gate::{
         examine::Finding,
@@ -18,7 +17,13 @@ use contract::{Invalid, Oracle};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
-use super::{Status, output::print, report_files::ReportFiles};
+use super::{
+    Status,
+    files::{Target, check_folder, make_folder},
+    output::note,
+    report_files::ReportFiles,
+    seed::Seed,
+};
 
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
 #[derive(Args)]
@@ -26,9 +31,8 @@ pub(super) struct Arguments {
     /// How many random cases, beside those of the other generators
     #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true)]
     cases: usize,
-    /// Seed of the random cases
-    #[arg(long, value_name = "S", default_value_t = 1, env = "CHATTERCHECK_SEED", allow_negative_numbers = true)]
-    seed: u64,
+    #[command(flatten)]
+    seed: Seed,
     /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel]
     #[arg(long, value_name = "LIST")]
     oracles: Option<String>,
@@ -40,9 +44,8 @@ pub(super) struct Arguments {
     /// Run only the K-th of N shares of the cases
     #[arg(long, value_name = "K/N", default_value = "1/1")]
     partition: String,
-    /// Where replay files of failures go
-    #[arg(long, value_name = "DIR", default_value = "chattercheck-replays")]
-    replays: PathBuf,
+    #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
+    replays: Option<PathBuf>,
     /// No progress bar
     #[arg(long)]
     quiet: bool,
@@ -54,6 +57,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         None => panel::default(),
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let seed = arguments.seed.value()?;
     let partition = partition(&arguments.partition)?;
     if arguments.cases > Selection::MOST_CASES {
         return Err(Invalid::new("cases", arguments.cases, "at most 1000000").into());
@@ -65,23 +69,45 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let every = every(&arguments.judge)?;
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
-    arguments.files.check()?;
-    let cases = run::cases(&Selection { cases: arguments.cases, seed: arguments.seed, partition });
+    let files = arguments.files.check()?;
+    let replays = arguments.replays()?;
+    let cases = run::cases(&Selection { cases: arguments.cases, seed, partition });
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
     let bar = progress(cases.len() as u64, arguments.quiet);
     let ladders = Some(ladder::descend(&panel)?);
-    let (report, failures) = run::run(&panel, &judges, &cases, arguments.seed, ladders, || bar.inc(1));
+    let (report, failures) = run::run(&panel, &judges, &cases, seed, ladders, || bar.inc(1));
     bar.finish_and_clear();
-    arguments.files.write(&report, &cases)?;
     // First what was found: shrinking may take a while.
-    print(&report::text(&report))?;
+    let status = if report.passes() { Status::Well } else { Status::Disagreed };
+    let status = status.after(files.print(&report::text(&report)));
+    let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
-    if let Err(error) = write_replays(&panel, &judges, &report, &failures, &arguments.replays) {
-        eprintln!("chattercheck: no replay files: {error:#}");
+    if let Err(error) = write_replays(&panel, &judges, &report, &failures, replays, partition) {
+        note(format_args!("chattercheck: no replay files: {error:#}"));
     }
-    Ok(if report.passes() { Status::Well } else { Status::Disagreed })
+    Ok(status)
+}
+
+/// Where replay files go unless told otherwise.
+const REPLAYS: &str = "chattercheck-replays";
+
+impl Arguments {
+    /// The folder for replay files. One that is asked for has to be possible; without the usual one the run goes on.
+    fn replays(&self) -> anyhow::Result<&Path> {
+        match &self.replays {
+            Some(folder) => check_folder("replays", folder)?,
+            None => {
+                if let Err(error) = check_folder("replays", Path::new(REPLAYS)) {
+                    note(format_args!(
+                        "verify: {error:#}: there will be no replay files; --replays DIR puts them elsewhere"
+                    ));
+                }
+            }
+        }
+        Ok(self.replays.as_deref().unwrap_or(Path::new(REPLAYS)))
+    }
 }
 
 /// `all`, or how many cases are run for one that is judged.
@@ -126,7 +152,8 @@ fn write_replays(
     judges: &Judges,
     report: &Report,
     failures: &[Failure],
-    folder: &PathBuf,
+    folder: &Path,
+    (part, parts): (usize, usize),
 ) -> anyhow::Result<()> {
     let replays: Vec<Replay> = failures
         .par_iter()
@@ -142,13 +169,14 @@ fn write_replays(
             ))
         })
         .collect();
+    let part = if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() };
     if !replays.is_empty() {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        make_folder("replays", folder)?;
     }
     for (number, replay) in (1..).zip(&replays) {
-        let path = folder.join(format!("seed-{}-{number}.toml", report.seed));
-        fs::write(&path, replay.to_text()?).with_context(|| format!("cannot write {}", path.display()))?;
-        eprintln!("shrunk: {}\n  run again: chattercheck replay {}", replay.finding, path.display());
+        let path = folder.join(format!("seed-{}{part}-{number}.toml", report.seed));
+        Target::new(&path)?.write(&replay.to_text()?)?;
+        note(format_args!("shrunk: {}\n  run again: chattercheck replay {}", replay.finding, path.display()));
     }
     Ok(())
 }
