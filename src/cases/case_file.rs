@@ -3,6 +3,22 @@
 use contract::{Case, Horizon, Invalid, Normalisation, Slenderness};
 use serde::{Deserialize, Serialize};
 
+pub use super::toml_error::is_control;
+use super::toml_error::{self, Allowed};
+
+/// What is allowed for the fields of a case, and for those of the files that hold one.
+pub const ALLOWED: [Allowed; 9] = [
+    ("a", "a number, 0 <= a <= 1e9"),
+    ("epsilon", "a number, -1 <= epsilon <= 1e9"),
+    ("omega", "a number, omega > 0"),
+    ("eta", "a number, 0 < eta < 1"),
+    ("alpha", "a number, 0 < alpha < pi/2 (radians)"),
+    ("normalisation", "\"threshold\" or \"slender\""),
+    ("impacts", "a whole number, 1 to 1000000"),
+    ("until", "a number above 0"),
+    ("seed", "a whole number from 0 on"),
+];
+
 /// A case as it is written. Either `a` or `epsilon` is given; unknown keys are errors.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -104,65 +120,7 @@ pub fn flags(case: &Case) -> String {
     flags
 }
 
-/// What is wrong with a TOML file, in one line and without the parser's picture of it; with the line that it is in, if it is in one.
+/// What is wrong with a file that holds a case, in one line.
 pub fn one_line(error: &toml::de::Error, text: &str) -> String {
-    const LONGEST: usize = 100;
-    let message = printable(error.message());
-    let Some((span, before)) = error.span().and_then(|span| Some((span.clone(), text.get(..span.start)?))) else {
-        return message;
-    };
-    let number = before.matches('\n').count();
-    let line = text.lines().nth(number).unwrap_or_default();
-    let start = before.rfind('\n').map_or(0, |end| end + 1);
-    let place = format!("line {}: {message}", number + 1);
-    // What is missing is in no line, whatever the parser points at.
-    let is_absent = message.starts_with("missing field");
-    if is_absent || line.trim().is_empty() || span.end > start + line.len() {
-        return place;
-    }
-    let shown: String = line.trim().chars().take(LONGEST).collect();
-    let dots = if shown.len() < line.trim().len() { "..." } else { "" };
-    format!("{place}, in `{}{dots}`", printable(&shown))
-}
-
-/// A text of a file as it may be shown: in one line, and without what a terminal would obey.
-fn printable(text: &str) -> String {
-    let shown = |c: char| if is_control(c) { char::REPLACEMENT_CHARACTER } else { c };
-    text.replace('\n', " ").chars().map(shown).collect()
-}
-
-/// Whether a character does something instead of being seen: control characters, and those that turn the direction of writing.
-pub fn is_control(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn told(text: &str) -> String {
-        one_line(&toml::from_str::<CaseFields>(text).unwrap_err(), text)
-    }
-
-    #[test]
-    fn the_line_with_the_error_is_quoted() {
-        let told = told("# first\nomega = \"fast\" # why\n");
-        assert!(told.starts_with("line 2: invalid type") && told.ends_with("in `omega = \"fast\" # why`"), "{told}");
-    }
-
-    #[test]
-    fn what_is_missing_is_in_no_line() {
-        let told = told("# only a comment\nomega = 2.0\n");
-        assert!(told.starts_with("line 1: missing field") && !told.contains("comment"), "{told}");
-    }
-
-    #[test]
-    fn nothing_that_a_terminal_obeys_is_shown() {
-        for hidden in ['\u{1b}', '\u{9b}', '\u{202e}', '\r'] {
-            let told = told(&format!("omega = \"fast\" # {hidden}[31m"));
-            assert!(!told.contains(hidden), "{told:?}");
-        }
-        let told = told(&format!("omega = \"{}\"", "ü".repeat(500)));
-        assert!(told.ends_with("...`") && told.lines().count() == 1, "{told}");
-    }
+    toml_error::one_line(error, text, &ALLOWED)
 }

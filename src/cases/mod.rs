@@ -3,3 +3,4 @@
 pub mod case_file;
 pub mod generate;
 pub mod hex_float;
+pub mod toml_error;

@@ -2,11 +2,11 @@
 
 use std::{
     fs,
-    io::Read as _,
+    io::{self, Read as _},
     path::{Path, PathBuf},
 };
 
-use anyhow::Context as _;
+use anyhow::{Context as _, anyhow};
 use chattercheck::{
     cases::case_file::CaseFields,
     motion::scene::{self, Scene},
@@ -103,7 +103,11 @@ pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
     let mut text = String::new();
     let file = fs::File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
     let read = file.take(scene::MOST_BYTES as u64 + 1).read_to_string(&mut text);
-    read.with_context(|| format!("cannot read {}", path.display()))?;
+    let read = read.map_err(|error| match error.kind() {
+        io::ErrorKind::InvalidData => anyhow!("{}: not a text (UTF-8)", path.display()),
+        _ => anyhow!("cannot read {}: {error}", path.display()),
+    });
+    read?;
     Scene::parse(&text).with_context(|| path.display().to_string())
 }
 

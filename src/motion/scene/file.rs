@@ -7,6 +7,39 @@ use serde::{
 };
 use toml::Spanned;
 
+use crate::cases::toml_error::Allowed;
+
+/// What is allowed for each field, in words.
+pub const ALLOWED: [Allowed; 20] = [
+    ("title", "a text in quotes"),
+    ("block", "a table [block]"),
+    ("ground", "a table [ground]"),
+    ("ask", "a table [ask]"),
+    ("half_width", "a number, 1e-6 to 1e6 (metres)"),
+    ("half_height", "a number, 1e-6 to 1e6 (metres)"),
+    ("radius", "a number, 1e-6 to 1e6 (metres)"),
+    ("slenderness", "a number, 0 < slenderness < pi/2 (radians)"),
+    ("restitution", RESTITUTIONS),
+    ("gravity", "a number, 1e-6 to 1e6 (m/s^2)"),
+    ("amplitude", AMPLITUDES),
+    ("frequency", FREQUENCIES),
+    ("phase", "a number, -1000 to 1000 (radians)"),
+    ("duration", DURATIONS),
+    ("model", "\"linear\" or \"nonlinear\""),
+    ("what", QUESTIONS),
+    ("impacts", "a whole number, 1 to 1000000"),
+    ("tolerance", "a number, 1e-15 to 0.5 (relative)"),
+    ("hz", "a number, 1e-9 to 1e9 (cycles a second)"),
+    ("g", "a number, 0 to 1e6"),
+];
+const RESTITUTIONS: &str = "a number above 0 and below 1, or \"housner\"";
+const AMPLITUDES: &str =
+    "one of { g = number }, { m-per-s2 = number }, { over-threshold = number } or { over-slender-threshold = number }";
+const FREQUENCIES: &str = "one of { hz = number } or { omega = number }";
+const DURATIONS: &str = "one of { seconds = number } or { cycles = number }";
+const QUESTIONS: &str =
+    "a list of at least one of \"impact-times\", \"chattering-time\", \"response\" and \"rest-periods\", each once";
+
 /// A rigid block on shaking ground, in physical units, and what is asked of it.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -128,26 +161,31 @@ fn in_one_way<'de, D: Deserializer<'de>, T: DeserializeOwned>(
     allowed: &str,
 ) -> Result<Spanned<T>, D::Error> {
     let value = Spanned::<toml::Value>::deserialize(deserializer)?;
-    let way = value.get_ref().clone().try_into().map_err(|error| {
-        // The first part says what is wrong; what would be right is said here.
-        let wrong = error.message().split(',').next().unwrap_or_default();
-        D::Error::custom(format!("{field}: {wrong}; allowed is one of {allowed}"))
-    })?;
+    let way = value.get_ref().clone().try_into();
+    let way = way.map_err(|_: toml::de::Error| D::Error::custom(format!("{field}: allowed is {allowed}")))?;
     Ok(Spanned::new(value.span(), way))
 }
 
 fn amplitude<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Amplitude>, D::Error> {
-    let allowed =
-        "{ g = number }, { m-per-s2 = number }, { over-threshold = number } or { over-slender-threshold = number }";
-    in_one_way(deserializer, "amplitude", allowed)
+    in_one_way(deserializer, "amplitude", AMPLITUDES)
 }
 
 fn frequency<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Frequency>, D::Error> {
-    in_one_way(deserializer, "frequency", "{ hz = number } or { omega = number }")
+    in_one_way(deserializer, "frequency", FREQUENCIES)
 }
 
 fn duration<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Duration>>, D::Error> {
-    in_one_way(deserializer, "duration", "{ seconds = number } or { cycles = number }").map(Some)
+    in_one_way(deserializer, "duration", DURATIONS).map(Some)
+}
+
+/// An empty list asks nothing, and the same twice is a mistake.
+fn questions<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<Question>>, D::Error> {
+    let what = Vec::<Question>::deserialize(deserializer)?;
+    let twice = what.iter().enumerate().any(|(place, one)| what.iter().take(place).any(|other| other == one));
+    if what.is_empty() || twice {
+        return Err(D::Error::custom(format!("what: allowed is {QUESTIONS}")));
+    }
+    Ok(Some(what))
 }
 
 /// What is asked of the scene: `chattercheck scene` answers it. Other commands do as their flags say, but for the model and the number of impacts.
@@ -156,7 +194,8 @@ fn duration<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned
 pub struct AskFields {
     /// The equation of motion; `nonlinear` unless given.
     pub model: Option<ModelName>,
-    /// What is wanted; the chattering time unless given.
+    /// What is wanted, each once; the chattering time unless given.
+    #[serde(default, deserialize_with = "questions")]
     pub what: Option<Vec<Question>>,
     /// How many impacts are listed at the most, 1 to 1000000; 60 unless given.
     #[schemars(with = "Option<u32>", range(min = 1, max = 1_000_000))]

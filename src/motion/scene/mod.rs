@@ -17,7 +17,7 @@ pub use file::{
     RestitutionRule, SceneFile,
 };
 
-use crate::cases::case_file::{is_control, one_line};
+use crate::cases::toml_error::{is_control, read};
 
 /// The largest file that is read.
 pub const MOST_BYTES: usize = 1 << 20;
@@ -119,7 +119,9 @@ impl Text<'_> {
         if value.is_finite() && holds(value) {
             Ok(value)
         } else {
-            Err(self.error(span, Invalid::new(field, format!("{value:?}"), allowed)))
+            // As it is typed, on one line.
+            let typed = self.0.get(span.clone()).filter(|typed| typed.len() < 60 && !typed.contains(is_control));
+            Err(self.error(span, Invalid::new(field, typed.map_or(format!("{value:?}"), str::to_owned), allowed)))
         }
     }
 }
@@ -133,7 +135,7 @@ impl Scene {
         if text.len() > MOST_BYTES {
             return Err(SceneError(Invalid::new("size of the file", text.len(), "up to 1 MiB").to_string()));
         }
-        let file: SceneFile = toml::from_str(text).map_err(|error| SceneError(one_line(&error, text)))?;
+        let file: SceneFile = read(text, &file::ALLOWED).map_err(SceneError)?;
         let text = Text(text);
         let block = Block::read(&file.block, &text)?;
         Ok(Self {
