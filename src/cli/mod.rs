@@ -30,7 +30,7 @@ use output::{Unwritten, note};
 /// Differential verification of the chattering of a rocking rigid block.
 ///
 /// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong; 3 the machine failed,
-/// such as a full disk; 130 or 143 interrupted before the end, with nothing wrong so far.
+/// such as a full disk.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Cli {
@@ -66,8 +66,6 @@ pub(crate) enum Status {
     Disagreed,
     /// The machine failed, such as a full disk, where no check had disagreed.
     Failed,
-    /// A signal ended the run before it was through, and nothing had disagreed so far.
-    Interrupted(u8),
 }
 
 impl Status {
@@ -89,8 +87,6 @@ impl From<Status> for ExitCode {
             Status::Well => Self::SUCCESS,
             Status::Disagreed => Self::from(1),
             Status::Failed => Self::from(3),
-            // As of a process that the signal had killed.
-            Status::Interrupted(signal) => Self::from(128 + signal),
         }
     }
 }

@@ -8,6 +8,7 @@ mod options;
 mod pages;
 mod readme;
 mod record;
+mod surroundings;
 
 #[path = "../effort/mod.rs"]
 mod effort;

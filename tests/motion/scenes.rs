@@ -168,7 +168,7 @@ fn what_is_wrong_is_said_on_its_line_with_field_value_and_range() {
             "restitution = 0.9\ncolour = 1",
             "line 5: colour is not known here; known are half_width, ",
         ),
-        ("{ g = 0.19 }", "{ g = -0.19 }", "line 6: amplitude = -0.19"),
+        ("{ g = 0.19 }", "{ g = -0.19 }", "line 6: amplitude = { g = -0.19 }"),
         ("{ g = 0.19 }", "{ furlongs = 1 }", "line 6: amplitude: allowed is one of { g = number }, "),
         ("{ g = 0.19 }", "0.19", "line 6: amplitude: "),
         ("{ g = 0.19 }", "{ g = 0.19, over-threshold = 1.02 }", "line 6: amplitude: allowed is one of "),

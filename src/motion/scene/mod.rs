@@ -119,8 +119,11 @@ impl Text<'_> {
         if value.is_finite() && holds(value) {
             Ok(value)
         } else {
-            // As it is typed, on one line.
-            let typed = self.0.get(span.clone()).filter(|typed| typed.len() < 60 && !typed.contains(is_control));
+            // As it is typed, on one line; of a rule, what it gives.
+            let typed = self
+                .0
+                .get(span.clone())
+                .filter(|typed| typed.len() < 60 && !typed.contains(is_control) && !typed.starts_with('"'));
             Err(self.error(span, Invalid::new(field, typed.map_or(format!("{value:?}"), str::to_owned), allowed)))
         }
     }

@@ -1,0 +1,204 @@
+//! What goes wrong around the program changes no verdict: pipes that close, disks that are full, files that are in the way.
+#![cfg(unix)]
+
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output, Stdio},
+};
+
+const GREEN: &str = "verify --cases 0 --partition 1/40 --quiet --oracles closed-form,ode/linear/tsit45";
+/// The naive mode of the ODE oracle is known to lose the sequence.
+const RED: &str = "verify --cases 0 --partition 2/40 --quiet --oracles closed-form,ode/linear/tsit45/naive";
+const ANSWER: &str = "chattering-time --a 1.03 --omega 2 --eta 0.92";
+
+/// Runs the program in `folder` by a shell, which closes and redirects.
+fn shell(folder: &Path, arguments: &str) -> Output {
+    let line = format!("\"$PROGRAM\" {arguments}");
+    let mut command = Command::new("sh");
+    command.args(["-c", &line]).env("PROGRAM", env!("CARGO_BIN_EXE_chattercheck")).current_dir(folder);
+    command.stdin(Stdio::null()).output().unwrap()
+}
+
+fn status(folder: &Path, arguments: &str) -> i32 {
+    let output = shell(folder, arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!stderr.contains("panicked"), "{arguments}: {stderr}");
+    output.status.code().unwrap()
+}
+
+#[test]
+fn a_stderr_that_is_full_or_closed_changes_no_status() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, expected) in [
+        (GREEN, 0),
+        (RED, 1),
+        (ANSWER, 0),
+        ("chattering-time --a 1", 2),
+        ("simulate --a 1.03 --omega 2 --eta 0.92", 0),
+        ("nonsense", 2),
+    ] {
+        for end in ["2> /dev/full", "2>&-", "2>&1 >/dev/null | head -c 0"] {
+            let piped = end.contains('|');
+            let found = status(folder.path(), &format!("{arguments} {end}"));
+            assert_eq!(found, if piped { 0 } else { expected }, "{arguments} {end}");
+        }
+    }
+}
+
+#[test]
+fn a_stdout_that_is_full_is_an_error_and_a_reader_that_has_gone_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = env!("CARGO_BIN_EXE_chattercheck");
+    for (arguments, expected) in [
+        (GREEN, 3),
+        (RED, 1),
+        (ANSWER, 3),
+        ("simulate --a 1.03 --omega 2 --eta 0.92", 3),
+        ("simulate --a 1.03 --omega 2 --eta 0.92 --format json", 3),
+        ("oracles", 3),
+        ("tolerances", 3),
+        ("scene --schema", 3),
+    ] {
+        let output = shell(folder.path(), &format!("{arguments} > /dev/full"));
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(expected), "{arguments}: {stderr}");
+        assert!(stderr.contains("cannot write to stdout"), "{arguments}: {stderr}");
+        // A reader that reads nothing: the status stays that of the verdict.
+        let gone = format!("{{ {program} {arguments}; echo $? > status; }} | true");
+        let output = Command::new("sh").args(["-c", &gone]).current_dir(folder.path()).output().unwrap();
+        let told = fs::read_to_string(folder.path().join("status")).unwrap();
+        assert_eq!(told.trim(), if expected == 1 { "1" } else { "0" }, "{arguments}");
+        assert!(!String::from_utf8_lossy(&output.stderr).contains("panicked"), "{arguments}");
+        assert!(["0", "1"].contains(&status(folder.path(), &format!("{arguments} >&-")).to_string().as_str()));
+    }
+}
+
+#[test]
+fn a_report_that_cannot_be_written_hides_no_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    for option in ["--json", "--junit"] {
+        assert_eq!(status(folder.path(), &format!("{GREEN} {option} /dev/full")), 3);
+        assert_eq!(status(folder.path(), &format!("{RED} {option} /dev/full")), 1);
+        assert!(
+            String::from_utf8_lossy(&shell(folder.path(), &format!("{RED} {option} /dev/full")).stdout)
+                .contains("FAIL")
+        );
+        // The disk is full for so much: the file may be no longer than a block. What was there stays.
+        let old = folder.path().join("report");
+        fs::write(&old, "old").unwrap();
+        for (arguments, expected) in [(GREEN, 3), (RED, 1)] {
+            let limited = format!("trap '' XFSZ; ulimit -f 1; \"$PROGRAM\" {arguments} {option} report");
+            let mut command = Command::new("sh");
+            command
+                .args(["-c", &limited])
+                .env("PROGRAM", env!("CARGO_BIN_EXE_chattercheck"))
+                .current_dir(folder.path());
+            let output = command.output().unwrap();
+            let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(expected), "{arguments} {option}: {stderr}");
+            assert!(stderr.contains("cannot write report"), "{stderr}");
+            assert_eq!(fs::read_to_string(&old).unwrap(), "old");
+        }
+        assert_eq!(status(folder.path(), &format!("{GREEN} {option} report")), 0);
+        assert_ne!(fs::read_to_string(&old).unwrap(), "old");
+    }
+    let left: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert!(left.iter().all(|name| name == "report" || name == "chattercheck-replays"), "{left:?}");
+}
+
+#[test]
+fn what_stands_in_the_way_is_said_before_the_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("folder")).unwrap();
+    fs::write(at("file"), "here").unwrap();
+    std::os::unix::fs::symlink("loop", at("loop")).unwrap();
+    std::os::unix::fs::symlink("nowhere/at-all", at("dangling")).unwrap();
+    std::os::unix::fs::symlink("file", at("link")).unwrap();
+    for (options, words) in [
+        ("--json both --junit both", "junit = both"),
+        ("--json both --junit ./both", "another file"),
+        ("--json both --junit folder/../both", "another file"),
+        ("--json file --junit link", "another file"),
+        ("--json - --junit -", "another file"),
+        ("--json folder", "cannot write folder"),
+        ("--json loop", "cannot write loop"),
+        ("--json dangling", "cannot write dangling"),
+        ("--json file/report", "cannot write file/report"),
+        ("--json no/such/folder", "cannot write no/such/folder"),
+        ("--json ''", "--json"),
+        ("--replays file", "replays = file"),
+        ("--replays file/under", "replays = file/under"),
+        ("--replays /proc/none", "replays = /proc/none"),
+        ("--replays loop", "replays = loop"),
+    ] {
+        // A million cases would take hours: it is found out before.
+        let output = shell(folder.path(), &format!("verify --quiet --cases 1000000 {options}"));
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{options}: {stderr}");
+        assert!(stderr.contains(words) && stderr.lines().count() == 1, "{options}: {stderr}");
+    }
+    for command in ["paper", "chart", "diagnose", "reference"] {
+        for out in ["file", "file/under", "loop", "/proc/none", "''"] {
+            let output = shell(folder.path(), &format!("{command} --out {out}"));
+            let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(2), "{command} {out}: {stderr}");
+            assert!(stderr.lines().count() == 1 && stderr.contains("out"), "{command} {out}: {stderr}");
+        }
+    }
+    assert_eq!(fs::read_to_string(at("file")).unwrap(), "here");
+}
+
+#[test]
+fn a_report_goes_through_links_and_to_stdout() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), "old").unwrap();
+    std::os::unix::fs::symlink("file", folder.path().join("link")).unwrap();
+    assert_eq!(status(folder.path(), &format!("{GREEN} --json link")), 0);
+    assert!(fs::symlink_metadata(folder.path().join("link")).unwrap().is_symlink());
+    let through: serde_json::Value = serde_json::from_slice(&fs::read(folder.path().join("file")).unwrap()).unwrap();
+    for stdout in ["-", "/dev/stdout > printed; cat printed"] {
+        let output = shell(folder.path(), &format!("{GREEN} --json {stdout}"));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let json = text.split_once('{').map(|(_, rest)| format!("{{{rest}")).unwrap();
+        let mut documents = serde_json::Deserializer::from_str(&json).into_iter::<serde_json::Value>();
+        assert_eq!(documents.next().unwrap().unwrap(), through, "{stdout}");
+    }
+}
+
+#[test]
+fn partitions_do_not_overwrite_the_replays_of_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    for part in 1..=2 {
+        let partition = format!("{part}/40");
+        assert_eq!(status(folder.path(), &RED.replace("2/40", &partition)), 1);
+    }
+    let names: Vec<String> = fs::read_dir(folder.path().join("chattercheck-replays"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    for part in ["part-1-of-40", "part-2-of-40"] {
+        assert!(names.iter().any(|name| name.contains(part)), "{names:?}");
+    }
+}
+
+#[test]
+fn an_empty_seed_is_none_and_a_wrong_one_is_named() {
+    let run = |seed: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chattercheck"));
+        command.args(GREEN.split_whitespace()).env("CHATTERCHECK_SEED", seed).output().unwrap()
+    };
+    let told = |output: &Output| String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told(&run("")).contains("seed 1"));
+    assert!(told(&run("7")).contains("seed 7"));
+    for wrong in ["x", "-1", " ", "1e3", "18446744073709551616"] {
+        let output = run(wrong);
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{wrong}: {stderr}");
+        assert!(
+            stderr.contains(&format!("CHATTERCHECK_SEED = {wrong}")) && stderr.contains("whole number"),
+            "{stderr}"
+        );
+    }
+}
