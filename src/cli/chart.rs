@@ -1,10 +1,7 @@
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow, ensure};
-use chattercheck::{
-    motion::plan,
-    studies::{atlas, chart, work_precision},
-};
+use chattercheck::studies::{atlas, chart, plan_map, work_precision};
 use clap::{Args, ValueEnum};
 
 use super::{Status, files::make_folder, output::print};
@@ -57,8 +54,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
     }
     if wanted(Part::Plan) {
-        let files = BTreeMap::from([("plan_map.csv", chart::csv_text(&plan::map::rows()?)?)]);
-        print(&chart::write(out, &files, &plan::map::CHARTS)?)?;
+        let files = BTreeMap::from([("plan_map.csv", chart::csv_text(&plan_map::rows()?)?)]);
+        print(&chart::write(out, &files, &plan_map::CHARTS)?)?;
     }
     bar.finish_and_clear();
     Ok(Status::Well)

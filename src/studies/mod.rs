@@ -4,6 +4,7 @@ pub mod atlas;
 pub mod chart;
 pub mod diagnose;
 pub mod paper;
+pub mod plan_map;
 pub mod reference;
 pub mod specimens;
 pub mod work_precision;

@@ -4,7 +4,7 @@ use chattercheck::{
     measure::{asking::ask, critical},
     motion::{
         linearisation::{Flights, Linearisation},
-        plan::{Found, Method, Outcome, Place, Plan, evidence, map, step},
+        plan::{Found, Method, Outcome, Place, Plan, evidence, step},
     },
     panel,
     studies::chart::Table,
@@ -174,7 +174,7 @@ fn no_answer_misses_its_tolerance() {
 /// The map reaches every method that it has a name for, and each where it belongs.
 #[test]
 fn the_map_shows_how_much_model_is_needed() {
-    let rows = map::rows().unwrap();
+    let rows = plan_map::rows().unwrap();
     let of = |method: &str| rows.iter().filter(|row| row.method == method).collect::<Vec<_>>();
     assert!(of("nothing").iter().all(|row| row.share <= 0.0) && !of("nothing").is_empty());
     assert!(of("critical-amplitude").iter().all(|row| row.share > 1.0) && !of("critical-amplitude").is_empty());
@@ -189,7 +189,7 @@ fn the_map_shows_how_much_model_is_needed() {
     }
     let mut csv = csv::Writer::from_writer(Vec::new());
     rows.iter().for_each(|row| csv.serialize(row).unwrap());
-    let table = Table::from_reader(map::CHARTS[0].table, csv.into_inner().unwrap().as_slice()).unwrap();
-    let svg = map::draw(&table).unwrap();
+    let table = Table::from_reader(plan_map::CHARTS[0].table, csv.into_inner().unwrap().as_slice()).unwrap();
+    let svg = plan_map::draw(&table).unwrap();
     assert!(svg.contains("corrected"));
 }

@@ -137,10 +137,10 @@ fn the_tables_say_what_is_known() {
 #[test]
 fn the_excitation_is_at_the_threshold_where_it_is_marked() {
     let table = table("fig_4");
-    let (tau, excitation) = (numbers(&table, "tau"), numbers(&table, "excitation"));
+    let (tau, excitation) = (numbers(&table, "tau"), numbers(&table, "ground_acceleration"));
     assert!((tau.last().unwrap() - tau[0] - 2.5 * std::f64::consts::PI).abs() < 1e-12, "2.5 T");
     for (number, threshold) in [("1", 1.0), ("2", -1.0)] {
-        let marked = numbers(&table.filter("initiation", number).unwrap(), "excitation");
+        let marked = numbers(&table.filter("initiation", number).unwrap(), "ground_acceleration");
         assert!(marked.len() == 1 && (marked[0] - threshold).abs() < 1e-12);
     }
     assert!(excitation.iter().all(|value| value.abs() <= 1.03));

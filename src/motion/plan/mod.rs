@@ -6,7 +6,6 @@
 
 pub mod estimate;
 pub mod evidence;
-pub mod map;
 mod method;
 mod refusal;
 mod run;

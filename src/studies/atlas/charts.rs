@@ -28,10 +28,14 @@ fn panels(table: &Table, column: &str, choices: &[Choice]) -> Result<Vec<HeatPan
     choices.iter().map(panel).collect()
 }
 
+/// The distance to the critical amplitude, by decades to either side of it: logarithmic both ways.
 fn place() -> Axis {
-    Axis::linear(
-        "decades of the distance to the critical amplitude, from 10⁻⁹; left: complete chattering, right: incomplete",
-    )
+    let tick = |decade: i32| {
+        let (sign, place) = (if decade < 0 { "−" } else { "" }, f64::from(decade));
+        (place, format!("{sign}10^{{−{}}}", 9 - decade.abs()))
+    };
+    Axis::linear("(a − a_{cr})/(a_{cr} − 1): left of a_{cr} the chattering is complete, right of it incomplete")
+        .with_ticks([-8, -5, -2, 2, 5, 8].map(tick).into())
 }
 
 fn map(table: &Table, title: &str, caption: &str, choices: &[Choice]) -> Result<String, Error> {
@@ -40,9 +44,9 @@ fn map(table: &Table, title: &str, caption: &str, choices: &[Choice]) -> Result<
         caption: caption.into(),
         x: place(),
         y: Axis::linear("η"),
-        colour: Axis::log("error of the chattering time (left), of the response after T/2 (right)")
+        colour: Axis::log("error: left of a_{cr} of τ_{ch}, right of it of the response after T/2")
             .with_range(FLOOR, 1.0),
-        columns: 3,
+        columns: 2,
         missing: "no answer: lost, hangs or declines".into(),
         panels: panels(table, "error", choices)?,
     }
@@ -152,7 +156,7 @@ fn resolved(table: &Table) -> Result<String, Error> {
         x: place(),
         y: Axis::linear("η"),
         colour: Axis::log("shortest interval resolved").with_range(1e-30, 1.0),
-        columns: 3,
+        columns: 2,
         missing: "not even the first".into(),
         panels: panels(
             table,

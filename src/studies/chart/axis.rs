@@ -20,22 +20,29 @@ pub struct Axis {
     pub scale: Scale,
     /// The lower and upper end; taken from what is drawn if `None`. The same for all panels.
     pub range: Option<(f64, f64)>,
+    /// The values that are written beside it, and how; round ones if `None`.
+    pub ticks: Option<Vec<(f64, String)>>,
 }
 
 impl Axis {
     /// A linear axis that takes its range from what is drawn.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Linear, range: None }
+        Self { label: label.into(), scale: Scale::Linear, range: None, ticks: None }
     }
 
     /// A logarithmic axis that takes its range from what is drawn.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Log, range: None }
+        Self { label: label.into(), scale: Scale::Log, range: None, ticks: None }
     }
 
     /// This axis from `low` to `high`.
     pub fn with_range(self, low: f64, high: f64) -> Self {
         Self { range: Some((low, high)), ..self }
+    }
+
+    /// This axis with these values written beside it.
+    pub fn with_ticks(self, ticks: Vec<(f64, String)>) -> Self {
+        Self { ticks: Some(ticks), ..self }
     }
 
     /// The range of the axis in `chart`: the given one, or that of `values` with the fraction `margin` added at either end.

@@ -1,22 +1,16 @@
-//! The sheet that is drawn on: lines, areas and text in pixels, through the SVG backend of plotters.
+//! The sheet that is drawn on, written as plain SVG that every viewer draws alike.
+//!
+//! No style sheets, no definitions, nothing nested: lengths in pixels, colours as attributes. A line with subscripts or superscripts is one
+//! text with its pieces side by side, each shifted against the one before; it starts at a place of ours, because renderers disagree about what a
+//! line of several pieces is centred on.
 
-use plotters::{
-    backend::{DrawingBackend, SVGBackend},
-    style::{
-        Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle,
-        text_anchor::{HPos, Pos, VPos},
-    },
-};
+use std::fmt::{self, Display, Write as _};
 
 use super::{
-    Error,
     geometry::{Place, Rect},
-    palette::{BLACK, Shape, WHITE},
-    text,
+    palette::{BLACK, Colour, WHITE},
+    text::{self, Level, Piece},
 };
-
-/// The backend draws on whole units, so a unit is a tenth of a pixel.
-const UNITS: f64 = 10.0;
 
 /// Where text stands relative to its place; its middle is always at the height of the place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,126 +22,234 @@ pub(super) enum Anchor {
     Upright,
 }
 
-/// A sheet that is being drawn.
-pub(super) struct Canvas<'a> {
-    backend: SVGBackend<'a>,
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stroke {
+    pub(super) colour: Colour,
+    pub(super) thick: f64,
+    /// Lengths drawn and left out in turn; whole if empty.
+    pub(super) dash: &'static [f64],
 }
 
-impl Canvas<'_> {
-    /// The SVG of a white sheet with what `draw` draws on it.
-    pub(super) fn svg(
-        width: f64,
-        height: f64,
-        draw: impl FnOnce(&mut Canvas) -> Result<(), Error>,
-    ) -> Result<String, Error> {
-        let (width, height) = (width.ceil(), height.ceil());
-        let units = ((width * UNITS) as u32, (height * UNITS) as u32);
-        let mut svg = String::new();
-        {
-            let mut canvas = Canvas { backend: SVGBackend::with_string(&mut svg, units) };
-            canvas.fill(&Rect { left: 0.0, top: 0.0, right: width, bottom: height }, WHITE)?;
-            draw(&mut canvas)?;
-            canvas.backend.present().map_err(refused)?;
-        }
-        let head = format!(r#"width="{}" height="{}""#, units.0, units.1);
-        let in_pixels = format!(r#"width="{width}" height="{height}" stroke-linejoin="round""#);
-        Ok(text::decode(&svg.replacen(&head, &in_pixels, 1)))
+impl Stroke {
+    /// A whole line.
+    pub(super) fn whole(colour: Colour, thick: f64) -> Self {
+        Self { colour, thick, dash: &[] }
+    }
+}
+
+/// A sheet that is being drawn.
+#[derive(Debug)]
+pub(super) struct Canvas {
+    width: f64,
+    height: f64,
+    body: String,
+}
+
+impl Canvas {
+    /// A white sheet of this size.
+    pub(super) fn new(width: f64, height: f64) -> Self {
+        let mut canvas = Self { body: String::new(), width: width.ceil(), height: height.ceil() };
+        canvas.fill(&Rect { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height }, WHITE);
+        canvas
     }
 
-    /// A line through `places`.
-    pub(super) fn line(&mut self, places: &[Place], colour: RGBColor, thick: f64) -> Result<(), Error> {
-        self.backend.draw_path(places.iter().map(units), &stroke(colour, thick)).map_err(refused)
+    /// The file, with a title and a description for those who cannot see it.
+    pub(super) fn file(&self, title: &str, description: &str) -> String {
+        let Self { width, height, body } = self;
+        let (title, description) = (text::plain(title), text::plain(description));
+        // Several charts may be put into one page, where names have to differ.
+        let name: String =
+            title.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+             role=\"img\" aria-labelledby=\"title-{name} text-{name}\" font-family=\"sans-serif\" stroke-linejoin=\"round\">\n\
+             <title id=\"title-{name}\">{}</title>\n<desc id=\"text-{name}\">{}</desc>\n{}</svg>\n",
+            Escaped(&title),
+            Escaped(&description),
+            body
+        )
     }
 
-    /// An area, and nothing at its edge.
-    pub(super) fn area(&mut self, places: &[Place], colour: RGBColor) -> Result<(), Error> {
-        self.backend.fill_polygon(places.iter().map(units), &colour.filled()).map_err(refused)
+    /// An open line through places.
+    pub(super) fn line(&mut self, places: &[Place], stroke: Stroke) {
+        self.element(format_args!("<polyline points=\"{}\" fill=\"none\"{stroke}/>", Points(places)));
+    }
+
+    /// An area with an edge, or without.
+    pub(super) fn area(&mut self, places: &[Place], fill: Colour, edge: Option<Stroke>) {
+        self.element(format_args!("<polygon points=\"{}\" fill=\"{fill}\"{}/>", Points(places), Edge(edge)));
     }
 
     /// A filled rectangle.
-    pub(super) fn fill(&mut self, rect: &Rect, colour: RGBColor) -> Result<(), Error> {
-        let (from, to) = ((rect.left, rect.top), (rect.right, rect.bottom));
-        self.backend.draw_rect(units(&from), units(&to), &colour.filled(), true).map_err(refused)
+    pub(super) fn fill(&mut self, rect: &Rect, fill: Colour) {
+        let (x, y, width, height) = (Px(rect.left), Px(rect.top), Px(rect.width()), Px(rect.height()));
+        self.element(format_args!("<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>"));
     }
 
     /// The edge of a rectangle.
-    pub(super) fn frame(&mut self, rect: &Rect, colour: RGBColor, thick: f64) -> Result<(), Error> {
+    pub(super) fn frame(&mut self, rect: &Rect, stroke: Stroke) {
         let Rect { left, top, right, bottom } = *rect;
-        self.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], colour, thick)
+        self.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], stroke);
+    }
+
+    /// A disc with an edge, or without.
+    pub(super) fn disc(&mut self, (x, y): Place, radius: f64, fill: Colour, edge: Option<Stroke>) {
+        let (x, y, radius) = (Px(x), Px(y), Px(radius));
+        self.element(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{fill}\"{}/>", Edge(edge)));
     }
 
     /// One line of text.
-    pub(super) fn text(&mut self, line: &str, place: Place, size: f64, anchor: Anchor) -> Result<(), Error> {
-        self.styled(line, place, size, anchor, FontStyle::Normal)
+    pub(super) fn text(&mut self, line: &str, place: Place, size: f64, anchor: Anchor) {
+        self.styled(line, place, size, anchor, "");
     }
 
     /// One line of bold text.
-    pub(super) fn bold(&mut self, line: &str, place: Place, size: f64, anchor: Anchor) -> Result<(), Error> {
-        self.styled(line, place, size, anchor, FontStyle::Bold)
+    pub(super) fn bold(&mut self, line: &str, place: Place, size: f64, anchor: Anchor) {
+        self.styled(line, place, size, anchor, " font-weight=\"bold\"");
     }
 
-    fn styled(&mut self, line: &str, place: Place, size: f64, anchor: Anchor, weight: FontStyle) -> Result<(), Error> {
-        /// The backend divides sizes by this.
-        const SHRINK: f64 = 1.24;
-        let across = match anchor {
-            Anchor::Left => HPos::Left,
-            Anchor::Middle | Anchor::Upright => HPos::Center,
-            Anchor::Right => HPos::Right,
+    fn styled(&mut self, line: &str, (x, y): Place, size: f64, anchor: Anchor, weight: &str) {
+        /// From the middle of a line down to where its letters stand, by their size.
+        const BASELINE: f64 = 0.36;
+        /// What text takes of the room that it may take, in most fonts.
+        const USUAL: f64 = 0.92;
+        let pieces = text::pieces(line);
+        let is_plain = pieces.iter().all(|(level, _)| *level == Level::Base);
+        let room = USUAL * text::width(line, size);
+        let (name, shift) = match (anchor, is_plain) {
+            (Anchor::Left, _) => ("start", 0.0),
+            (Anchor::Right, true) => ("end", 0.0),
+            (Anchor::Right, false) => ("start", -room),
+            (Anchor::Middle | Anchor::Upright, true) => ("middle", 0.0),
+            (Anchor::Middle | Anchor::Upright, false) => ("start", -0.5 * room),
         };
-        let turn = if anchor == Anchor::Upright { FontTransform::Rotate270 } else { FontTransform::None };
-        let font = FontDesc::new(FontFamily::SansSerif, size * UNITS * SHRINK, weight).transform(turn);
-        let style = TextStyle::from(font).color(&BLACK).pos(Pos::new(across, VPos::Center));
-        self.backend.draw_text(&text::encode(line), &style, units(&place)).map_err(refused)
+        let place = if anchor == Anchor::Upright {
+            let turn = format!("transform=\"translate({},{}) rotate(-90)\"", Px(x), Px(y));
+            format!("x=\"{}\" y=\"{}\" {turn}", Px(shift), Px(BASELINE * size))
+        } else {
+            format!("x=\"{}\" y=\"{}\"", Px(x + shift), Px(y + BASELINE * size))
+        };
+        let content = Pieces { pieces: &pieces, size };
+        self.element(format_args!(
+            "<text {place} font-size=\"{}\" text-anchor=\"{name}\" fill=\"{BLACK}\"{weight}>{content}</text>",
+            Px(size)
+        ));
     }
 
-    /// A marker at a place.
-    pub(super) fn marker(&mut self, shape: Shape, (x, y): Place, colour: RGBColor) -> Result<(), Error> {
-        const THICK: f64 = 1.7;
-        let around = |places: &[Place]| places.iter().map(|(dx, dy)| (x + dx, y + dy)).collect::<Vec<_>>();
-        let square = |half: f64| around(&[(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)]);
-        let diamond = |half: f64| around(&[(0.0, -half), (half, 0.0), (0.0, half), (-half, 0.0), (0.0, -half)]);
-        let triangle = |up: f64| around(&[(0.0, -5.4 * up), (5.2, 3.9 * up), (-5.2, 3.9 * up), (0.0, -5.4 * up)]);
-        let mut open = |edge: Vec<Place>| {
-            self.area(&edge, WHITE)?;
-            self.line(&edge, colour, THICK)
-        };
-        match shape {
-            Shape::OpenSquare => open(square(4.2)),
-            Shape::OpenDiamond => open(diamond(5.8)),
-            Shape::OpenTriangleDown => open(triangle(-1.0)),
-            Shape::Square => self.area(&square(4.6), colour),
-            Shape::Diamond => self.area(&diamond(6.4), colour),
-            Shape::Triangle => self.area(&triangle(1.0), colour),
-            Shape::Disc => self.disc((x, y), 4.8, colour),
-            Shape::OpenDisc => {
-                self.disc((x, y), 4.4, WHITE)?;
-                let edge = stroke(colour, THICK);
-                self.backend.draw_circle(units(&(x, y)), (4.4 * UNITS) as u32, &edge, false).map_err(refused)
+    fn element(&mut self, element: fmt::Arguments) {
+        // Writing to a string can't fail.
+        let _ = writeln!(self.body, "{element}");
+    }
+}
+
+/// A length to a tenth of a pixel, which is finer than can be seen.
+struct Px(f64);
+
+impl Display for Px {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Without the sign of a zero.
+        write!(f, "{}", (self.0 * 10.0).round() / 10.0 + 0.0)
+    }
+}
+
+struct Points<'a>(&'a [Place]);
+
+impl Display for Points<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, (x, y))| write!(f, "{}{},{}", if index == 0 { "" } else { " " }, Px(*x), Px(*y)))
+    }
+}
+
+impl Display for Stroke {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " stroke=\"{}\" stroke-width=\"{}\"", self.colour, Px(self.thick))?;
+        if self.dash.is_empty() {
+            return Ok(());
+        }
+        let lengths: Vec<String> = self.dash.iter().map(|length| Px(*length).to_string()).collect();
+        write!(f, " stroke-dasharray=\"{}\"", lengths.join(" "))
+    }
+}
+
+struct Edge(Option<Stroke>);
+
+impl Display for Edge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |stroke| stroke.fmt(f))
+    }
+}
+
+/// The pieces of a line side by side, those that stand lower or higher in spans.
+struct Pieces<'a> {
+    pieces: &'a [Piece],
+    size: f64,
+}
+
+impl Display for Pieces<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut before = Level::Base;
+        for (level, text) in self.pieces {
+            let text = Escaped(text);
+            if *level == before && before == Level::Base {
+                write!(f, "{text}")?;
+                continue;
             }
-            Shape::Plus => {
-                self.line(&around(&[(-5.5, 0.0), (5.5, 0.0)]), colour, 2.4)?;
-                self.line(&around(&[(0.0, -5.5), (0.0, 5.5)]), colour, 2.4)
-            }
-            Shape::Cross => {
-                self.line(&around(&[(-3.6, -3.6), (3.6, 3.6)]), colour, THICK)?;
-                self.line(&around(&[(-3.6, 3.6), (3.6, -3.6)]), colour, THICK)
-            }
+            let down = Px((level.below() - before.below()) * self.size);
+            write!(f, "<tspan dy=\"{down}\" font-size=\"{}\">{text}</tspan>", Px(level.size() * self.size))?;
+            before = *level;
+        }
+        Ok(())
+    }
+}
+
+/// Text without what SVG would read as its own.
+struct Escaped<'a>(&'a str);
+
+impl Display for Escaped<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(line: &str, anchor: Anchor) -> String {
+        let mut canvas = Canvas::new(10.0, 20.0);
+        canvas.text(line, (100.0, 50.0), 10.0, anchor);
+        canvas.body
+    }
+
+    #[test]
+    fn a_line_with_scripts_is_one_text_of_flat_pieces_from_its_left_end() {
+        let body = text("τ_{ch}/ε^{3/2} < 1", Anchor::Left);
+        let pieces = "τ<tspan dy=\"2.4\" font-size=\"7.2\">ch</tspan><tspan dy=\"-2.4\" font-size=\"10\">/ε</tspan>\
+                      <tspan dy=\"-3.8\" font-size=\"7.2\">3/2</tspan><tspan dy=\"3.8\" font-size=\"10\"> &lt; 1</tspan></text>";
+        assert!(body.contains("\n<text x=\"100\" y=\"53.6\" ") && body.trim_end().ends_with(pieces), "{body}");
+        for anchor in [Anchor::Middle, Anchor::Right, Anchor::Upright] {
+            assert!(text("a_{cr}", anchor).contains("text-anchor=\"start\""), "{anchor:?}");
+            assert!(!text("plain", anchor).contains("text-anchor=\"start\""), "{anchor:?}");
         }
     }
 
-    fn disc(&mut self, place: Place, radius: f64, colour: RGBColor) -> Result<(), Error> {
-        self.backend.draw_circle(units(&place), (radius * UNITS) as u32, &colour.filled(), true).map_err(refused)
+    #[test]
+    fn the_file_says_what_it_shows() {
+        let mut canvas = Canvas::new(10.0, 20.0);
+        canvas.line(&[(0.0, 0.04), (1.0, -0.04)], Stroke { dash: &[2.0, 1.5], ..Stroke::whole(BLACK, 1.0) });
+        let file = canvas.file("Error of τ_{ch}", "A < B.");
+        for part in [
+            "width=\"10\" height=\"20\" viewBox=\"0 0 10 20\" role=\"img\" aria-labelledby=\"title-error-of---ch text-error-of---ch\"",
+            "<title id=\"title-error-of---ch\">Error of τ_ch</title>",
+            "<desc id=\"text-error-of---ch\">A &lt; B.</desc>",
+            "points=\"0,0 1,0\"",
+            "stroke-dasharray=\"2 1.5\"",
+        ] {
+            assert!(file.contains(part), "{part} in {file}");
+        }
     }
-}
-
-fn stroke(colour: RGBColor, thick: f64) -> ShapeStyle {
-    colour.stroke_width((thick * UNITS) as u32)
-}
-
-fn units(place: &Place) -> (i32, i32) {
-    ((place.0 * UNITS).round() as i32, (place.1 * UNITS).round() as i32)
-}
-
-fn refused(error: impl std::error::Error) -> Error {
-    Error::Drawing(error.to_string())
 }

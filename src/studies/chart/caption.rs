@@ -1,7 +1,6 @@
 //! The title above a chart and the caption below it: text wrapped to the width.
 
 use super::{
-    Error,
     canvas::{Anchor, Canvas},
     text,
 };
@@ -53,17 +52,17 @@ impl Paragraph {
     }
 
     /// Lines below each other, the first one's top at `top`.
-    pub(super) fn draw(&self, canvas: &mut Canvas, x: f64, top: f64, anchor: Anchor) -> Result<(), Error> {
-        self.lines().try_for_each(|(down, line)| canvas.text(line, (x, top + down), self.size, anchor))
+    pub(super) fn draw(&self, canvas: &mut Canvas, x: f64, top: f64, anchor: Anchor) {
+        self.lines().for_each(|(down, line)| canvas.text(line, (x, top + down), self.size, anchor));
     }
 
     /// As [`Paragraph::draw`], in bold.
-    pub(super) fn draw_bold(&self, canvas: &mut Canvas, x: f64, top: f64, anchor: Anchor) -> Result<(), Error> {
-        self.lines().try_for_each(|(down, line)| canvas.bold(line, (x, top + down), self.size, anchor))
+    pub(super) fn draw_bold(&self, canvas: &mut Canvas, x: f64, top: f64, anchor: Anchor) {
+        self.lines().for_each(|(down, line)| canvas.bold(line, (x, top + down), self.size, anchor));
     }
 
     /// Lines read from below, beside each other, the first one's left edge at `left`.
-    pub(super) fn draw_upright(&self, canvas: &mut Canvas, left: f64, y: f64) -> Result<(), Error> {
-        self.lines().try_for_each(|(over, line)| canvas.text(line, (left + over, y), self.size, Anchor::Upright))
+    pub(super) fn draw_upright(&self, canvas: &mut Canvas, left: f64, y: f64) {
+        self.lines().for_each(|(over, line)| canvas.text(line, (left + over, y), self.size, Anchor::Upright));
     }
 }

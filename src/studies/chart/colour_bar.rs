@@ -1,9 +1,9 @@
 //! The colours of a heat map beside it, with the values that they stand for.
 
 use super::{
-    Axis, Error,
+    Axis,
     axis::Span,
-    canvas::{Anchor, Canvas},
+    canvas::{Anchor, Canvas, Stroke},
     caption::Paragraph,
     colour_map::colour,
     geometry::Rect,
@@ -33,7 +33,7 @@ pub(super) struct ColourBar {
 impl ColourBar {
     /// The bar of the range `colours` of `axis`.
     pub(super) fn new(axis: &Axis, colours: Span) -> Self {
-        let ticks = Ticks::new(&colours, LOWEST, |_| 28.0);
+        let ticks = Ticks::of(axis, &colours, LOWEST, |_| 28.0);
         Self { colours, ticks, label: Paragraph::even(&axis.label, LABEL, LOWEST) }
     }
 
@@ -44,7 +44,7 @@ impl ColourBar {
     }
 
     /// The bar, at the right edge of `area` and as high.
-    pub(super) fn draw(&self, canvas: &mut Canvas, area: &Rect) -> Result<(), Error> {
+    pub(super) fn draw(&self, canvas: &mut Canvas, area: &Rect) {
         const STEPS: usize = 128;
         let [before, before_ticks, _] = BEFORE;
         let left = area.right - self.width() + before;
@@ -52,14 +52,14 @@ impl ColourBar {
         for step in 0..STEPS {
             let height = |index: usize| bar.at(0.0, index as f64 / STEPS as f64).1;
             let rect = Rect { top: (height(step + 1) - OVERLAP).max(bar.top), bottom: height(step), ..bar };
-            canvas.fill(&rect, colour((step as f64 + 0.5) / STEPS as f64))?;
+            canvas.fill(&rect, colour((step as f64 + 0.5) / STEPS as f64));
         }
-        canvas.frame(&bar, BLACK, 1.0)?;
+        canvas.frame(&bar, Stroke::whole(BLACK, 1.0));
         for tick in &self.ticks.major {
             let (_, y) = bar.at(0.0, self.colours.fraction(tick.value));
-            canvas.line(&[(bar.right, y), (bar.right + 5.0, y)], BLACK, 1.0)?;
-            canvas.text(&tick.label, (bar.right + before_ticks, y), TEXT, Anchor::Left)?;
+            canvas.line(&[(bar.right, y), (bar.right + 5.0, y)], Stroke::whole(BLACK, 1.0));
+            canvas.text(&tick.label, (bar.right + before_ticks, y), TEXT, Anchor::Left);
         }
-        self.label.draw_upright(canvas, area.right - self.label.height(), bar.at(0.0, 0.5).1)
+        self.label.draw_upright(canvas, area.right - self.label.height(), bar.at(0.0, 0.5).1);
     }
 }

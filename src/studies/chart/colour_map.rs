@@ -1,6 +1,6 @@
 //! Colours of values: viridis, even to the eye and safe for the colour-blind.
 
-use plotters::style::RGBColor;
+use super::palette::Colour;
 
 /// Viridis (matplotlib, CC0) at every tenth.
 const VIRIDIS: [[u8; 3]; 11] = [
@@ -18,14 +18,14 @@ const VIRIDIS: [[u8; 3]; 11] = [
 ];
 
 /// The colour at a fraction of the range; beyond its ends, that of the end.
-pub(super) fn colour(fraction: f64) -> RGBColor {
+pub(super) fn colour(fraction: f64) -> Colour {
     let place = fraction.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let below = place.floor();
     let pick = |index: f64| VIRIDIS.get(index as usize).or(VIRIDIS.last()).copied().unwrap_or_default();
     let ([r, g, b], [r1, g1, b1]) = (pick(below), pick(below + 1.0));
     let mix =
         |one: u8, other: u8| (f64::from(one) + (place - below) * (f64::from(other) - f64::from(one))).round() as u8;
-    RGBColor(mix(r, r1), mix(g, g1), mix(b, b1))
+    Colour(mix(r, r1), mix(g, g1), mix(b, b1))
 }
 
 #[cfg(test)]
@@ -35,7 +35,7 @@ mod tests {
     #[test]
     fn lightness_grows() {
         let light = |step: u8| {
-            let RGBColor(r, g, b) = colour(f64::from(step) / 50.0);
+            let Colour(r, g, b) = colour(f64::from(step) / 50.0);
             0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)
         };
         assert!((0..50).all(|step| light(step) < light(step + 1)));

@@ -107,7 +107,4 @@ pub enum Error {
         /// The place along the second axis.
         y: f64,
     },
-    /// The drawing library refused.
-    #[error("drawing: {0}")]
-    Drawing(String),
 }

@@ -1,12 +1,12 @@
 //! The legend: below the panels, in as many columns as the width allows.
 
 use super::{
-    Draw, Error,
+    Draw,
     canvas::{Anchor, Canvas},
     geometry::Rect,
-    palette::{DARK, Ink, Shape},
-    stroke::{self, LINE},
-    text,
+    marker::Shape,
+    palette::{DARK, Ink},
+    stroke, text,
 };
 
 const SIZE: f64 = 16.0;
@@ -74,17 +74,16 @@ impl<'a> Legend<'a> {
     }
 
     /// The legend with its top left corner at a place.
-    pub(super) fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) -> Result<(), Error> {
+    pub(super) fn draw(&self, canvas: &mut Canvas, left: f64, top: f64) {
         let mut x = left;
         for (column, width) in self.entries.chunks(self.rows).zip(&self.widths) {
             for (row, entry) in column.iter().enumerate() {
                 let y = top + (row as f64 + 0.5) * ROW;
-                swatch(canvas, &entry.swatch, x, y)?;
-                canvas.text(&entry.name, (x + entry.indent(), y), SIZE, Anchor::Left)?;
+                swatch(canvas, &entry.swatch, x, y);
+                canvas.text(&entry.name, (x + entry.indent(), y), SIZE, Anchor::Left);
             }
             x += width + BETWEEN;
         }
-        Ok(())
     }
 }
 
@@ -93,23 +92,22 @@ fn total(widths: &[f64]) -> f64 {
     widths.iter().sum::<f64>() + widths.len().saturating_sub(1) as f64 * BETWEEN
 }
 
-fn swatch(canvas: &mut Canvas, swatch: &Swatch, x: f64, y: f64) -> Result<(), Error> {
+fn swatch(canvas: &mut Canvas, swatch: &Swatch, x: f64, y: f64) {
     let middle = (x + 0.5 * SWATCH, y);
     match swatch {
         Swatch::Series(ink, draw) => {
             if *draw != Draw::Markers {
-                stroke::dashed(canvas, &[(x, y), (x + SWATCH, y)], ink.dash, ink.colour, LINE)?;
+                canvas.line(&[(x, y), (x + SWATCH, y)], ink.stroke(*draw));
             }
-            if *draw != Draw::Line {
-                canvas.marker(ink.shape, middle, ink.colour)?;
+            if matches!(draw, Draw::Both | Draw::Markers) {
+                canvas.marker(ink.shape, middle, ink.colour);
             }
-            Ok(())
         }
         Swatch::Marker(shape) => canvas.marker(*shape, middle, DARK),
         Swatch::Hatch => stroke::hatch(
             canvas,
             &Rect { left: middle.0 - 14.0, top: y - 8.0, right: middle.0 + 14.0, bottom: y + 8.0 },
         ),
-        Swatch::Remark => Ok(()),
+        Swatch::Remark => {}
     }
 }

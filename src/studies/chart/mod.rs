@@ -5,7 +5,7 @@
 //!
 //! What went wrong stays visible: an empty number is a failure, drawn as a cross above the axes or as a hatched cell, never left out.
 //!
-//! Every text may hold subscripts, `a_{cr}`, and no-break spaces where a line must not end.
+//! Every text may hold subscripts, `a_{cr}`, superscripts, `ε^{3/2}`, and no-break spaces where a line must not end.
 //!
 //! ```
 //! use chattercheck::studies::chart::{Axis, LineChart, Mark, Panel, Table};
@@ -44,6 +44,7 @@ mod heat;
 mod legend;
 mod lines;
 mod mark;
+mod marker;
 mod number;
 mod palette;
 mod series;

@@ -1,30 +1,56 @@
 //! How series are told apart: by colour, and by dash and marker too, so that a chart reads in grey and to the colour-blind.
 
-use plotters::style::RGBColor;
+use std::fmt;
+
+use super::{Draw, canvas::Stroke, marker::Shape};
+
+/// A colour: its red, green and blue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Colour(pub(super) u8, pub(super) u8, pub(super) u8);
+
+impl Colour {
+    /// Half-way to white and a little further.
+    fn pale(self) -> Self {
+        let of = |part: u8| 255 - (255 - part) / 5 * 2;
+        Self(of(self.0), of(self.1), of(self.2))
+    }
+}
+
+impl fmt::Display for Colour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(red, green, blue) = self;
+        write!(f, "#{red:02X}{green:02X}{blue:02X}")
+    }
+}
+
+/// The thickness of the line of a series,
+pub(super) const LINE: f64 = 2.0;
+/// and of a broad one.
+const BROAD: f64 = 7.0;
 
 /// Of text and frames.
-pub(super) const BLACK: RGBColor = RGBColor(0x1A, 0x1A, 0x1A);
+pub(super) const BLACK: Colour = Colour(0x1A, 0x1A, 0x1A);
 /// Of marks.
-pub(super) const DARK: RGBColor = RGBColor(0x55, 0x55, 0x55);
+pub(super) const DARK: Colour = Colour(0x55, 0x55, 0x55);
 /// Of grid lines.
-pub(super) const LIGHT: RGBColor = RGBColor(0xE2, 0xE2, 0xE2);
+pub(super) const LIGHT: Colour = Colour(0xE2, 0xE2, 0xE2);
 /// Behind points that are off the scale.
-pub(super) const PALE: RGBColor = RGBColor(0xF5, 0xF5, 0xF5);
+pub(super) const PALE: Colour = Colour(0xF5, 0xF5, 0xF5);
 /// Of hatching.
-pub(super) const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
+pub(super) const GREY: Colour = Colour(0x99, 0x99, 0x99);
 /// Of paper.
-pub(super) const WHITE: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
+pub(super) const WHITE: Colour = Colour(0xFF, 0xFF, 0xFF);
 
 /// The colours of Okabe and Ito, the yellow, which is hardly seen on white, replaced by a grey.
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(0x00, 0x72, 0xB2), // blue
-    RGBColor(0xD5, 0x5E, 0x00), // vermilion
-    RGBColor(0x00, 0x9E, 0x73), // bluish green
-    RGBColor(0x00, 0x00, 0x00), // black
-    RGBColor(0xE6, 0x9F, 0x00), // orange
-    RGBColor(0xCC, 0x79, 0xA7), // reddish purple
-    RGBColor(0x56, 0xB4, 0xE9), // sky blue
-    RGBColor(0x80, 0x80, 0x80), // grey
+const COLOURS: [Colour; 8] = [
+    Colour(0x00, 0x72, 0xB2), // blue
+    Colour(0xD5, 0x5E, 0x00), // vermilion
+    Colour(0x00, 0x9E, 0x73), // bluish green
+    Colour(0x00, 0x00, 0x00), // black
+    Colour(0xE6, 0x9F, 0x00), // orange
+    Colour(0xCC, 0x79, 0xA7), // reddish purple
+    Colour(0x56, 0xB4, 0xE9), // sky blue
+    Colour(0x80, 0x80, 0x80), // grey
 ];
 
 /// Lengths drawn and left out in turn.
@@ -42,32 +68,23 @@ const SHAPES: [Shape; 8] = [
     Shape::Plus,
 ];
 
-/// The shape of a marker.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
-    Disc,
-    OpenDisc,
-    Square,
-    OpenSquare,
-    Triangle,
-    Diamond,
-    OpenDiamond,
-    Plus,
-    /// Kept for failures.
-    Cross,
-    /// Kept for zeros below a logarithmic axis.
-    OpenTriangleDown,
-}
-
 /// How one series looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Ink {
-    pub(super) colour: RGBColor,
+    pub(super) colour: Colour,
     pub(super) dash: &'static [f64],
     pub(super) shape: Shape,
 }
 
 impl Ink {
+    /// Its line, as thick as lines are, or broad and pale.
+    pub(super) fn stroke(self, draw: Draw) -> Stroke {
+        if draw == Draw::Broad {
+            return Stroke::whole(self.colour.pale(), BROAD);
+        }
+        Stroke { colour: self.colour, thick: LINE, dash: self.dash }
+    }
+
     /// The look of the series in a slot; the first 24 differ in colour and dash.
     pub(super) fn of(slot: usize) -> Self {
         let pick = |len: usize| slot % len;

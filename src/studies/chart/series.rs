@@ -10,6 +10,8 @@ pub enum Draw {
     Line,
     /// As markers, one each.
     Markers,
+    /// As a broad pale line: one that coincides with it, and comes later, leaves it to be seen.
+    Broad,
 }
 
 /// A point; without a `y`, a failure at `x`.

@@ -5,12 +5,12 @@
 use super::{
     Axis, Error, Mark,
     axis::Span,
-    canvas::{Anchor, Canvas},
+    canvas::{Anchor, Canvas, Stroke},
     caption::Paragraph,
     geometry::Rect,
     legend::{Entry, Legend},
     palette::{BLACK, DARK, LIGHT, PALE, WHITE},
-    stroke::{self, Plot},
+    stroke::Plot,
     text,
     ticks::Ticks,
 };
@@ -21,7 +21,7 @@ pub(super) const TEXT: f64 = 16.0;
 /// The height of a line of [`TEXT`].
 const LINE: f64 = 20.0;
 const MARGIN: f64 = 16.0;
-const MARK_DASH: [f64; 2] = [7.0, 4.0];
+const MARK_DASH: &[f64] = &[7.0, 4.0];
 
 /// A chart without what is in its panels.
 pub(super) struct Sheet<'a> {
@@ -70,40 +70,40 @@ impl Sheet<'_> {
     /// The SVG: `content` draws in each panel, `side` to the right of all.
     pub(super) fn svg(
         &self,
-        mut content: impl FnMut(&mut Canvas, usize, &Plot) -> Result<(), Error>,
-        side: impl FnOnce(&mut Canvas, &Rect) -> Result<(), Error>,
+        mut content: impl FnMut(&mut Canvas, usize, &Plot),
+        side: impl FnOnce(&mut Canvas, &Rect),
     ) -> Result<String, Error> {
         if self.panels.is_empty() {
             return Err(Error::Nothing { chart: self.title.to_owned() });
         }
         let layout = self.layout();
-        Canvas::svg(layout.width, layout.height, |canvas| {
-            layout.title.draw_bold(canvas, MARGIN, MARGIN, Anchor::Left)?;
-            for (index, (head, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
-                let plot = Plot { area: self.inner(frame), x: &self.x.1, y: &self.y.1 };
-                if !self.is_filled {
-                    grid(canvas, frame, &plot, &layout)?;
-                    self.marks(canvas, frame, &plot, head)?;
-                }
-                content(canvas, index, &plot)?;
-                if self.is_filled {
-                    self.marks(canvas, frame, &plot, head)?;
-                }
-                self.axes(canvas, index, frame, &plot, &layout)?;
-                self.mark_labels(canvas, frame, &plot, head)?;
-                let above = frame.top - self.mark_rows(frame.width()) as f64 * LINE - 4.0;
-                if let Some(title) = layout.titles.get(index) {
-                    title.draw(canvas, 0.5 * (frame.left + frame.right), above - title.height(), Anchor::Middle)?;
-                }
+        let mut canvas = Canvas::new(layout.width, layout.height);
+        layout.title.draw_bold(&mut canvas, MARGIN, MARGIN, Anchor::Left);
+        for (index, (head, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
+            let plot = Plot { area: self.inner(frame), x: &self.x.1, y: &self.y.1 };
+            if !self.is_filled {
+                grid(&mut canvas, frame, &plot, &layout);
+                self.marks(&mut canvas, frame, &plot, head);
             }
-            let (middle_x, middle_y) = layout.grid.at(0.5, 0.5);
-            layout.x_label.draw(canvas, middle_x, layout.x_label_top, Anchor::Middle)?;
-            layout.y_label.draw_upright(canvas, MARGIN, middle_y)?;
-            side(canvas, &Rect { left: layout.grid.right, right: layout.width - MARGIN, ..layout.grid })?;
-            let room = layout.width - 2.0 * MARGIN;
-            Legend::new(&self.legend, room).draw(canvas, MARGIN, layout.legend_top)?;
-            layout.caption.draw(canvas, MARGIN, layout.caption_top, Anchor::Left)
-        })
+            content(&mut canvas, index, &plot);
+            if self.is_filled {
+                self.marks(&mut canvas, frame, &plot, head);
+            }
+            self.axes(&mut canvas, index, frame, &plot, &layout);
+            self.mark_labels(&mut canvas, frame, &plot, head);
+            let above = frame.top - self.mark_rows(frame.width()) as f64 * LINE - 4.0;
+            if let Some(title) = layout.titles.get(index) {
+                title.draw(&mut canvas, 0.5 * (frame.left + frame.right), above - title.height(), Anchor::Middle);
+            }
+        }
+        let (middle_x, middle_y) = layout.grid.at(0.5, 0.5);
+        layout.x_label.draw(&mut canvas, middle_x, layout.x_label_top, Anchor::Middle);
+        layout.y_label.draw_upright(&mut canvas, MARGIN, middle_y);
+        side(&mut canvas, &Rect { left: layout.grid.right, right: layout.width - MARGIN, ..layout.grid });
+        let room = layout.width - 2.0 * MARGIN;
+        Legend::new(&self.legend, room).draw(&mut canvas, MARGIN, layout.legend_top);
+        layout.caption.draw(&mut canvas, MARGIN, layout.caption_top, Anchor::Left);
+        Ok(canvas.file(self.title, self.caption))
     }
 
     /// The columns there really are.
@@ -131,8 +131,8 @@ impl Sheet<'_> {
         let (width, height) = self.size();
         let frame_height = height + self.strips.0 + self.strips.1;
 
-        let x_ticks = Ticks::new(&self.x.1, width, |label| text::width(label, TEXT) + 14.0);
-        let y_ticks = Ticks::new(&self.y.1, height, |_| 27.0);
+        let x_ticks = Ticks::of(self.x.0, &self.x.1, width, |label| text::width(label, TEXT) + 14.0);
+        let y_ticks = Ticks::of(self.y.0, &self.y.1, height, |_| 27.0);
         let widest = |ticks: &Ticks| ticks.major.iter().map(|tick| text::width(&tick.label, TEXT)).fold(0.0, f64::max);
         let level = self.panels.iter().flat_map(|head| head.marks).filter(|mark| mark.y().is_some());
         let beside = level.map(|mark| text::width(mark.label(), TEXT) + 6.0).fold(0.0, f64::max);
@@ -187,7 +187,7 @@ impl Sheet<'_> {
     }
 
     /// The frame of a panel and what is written at its axes.
-    fn axes(&self, canvas: &mut Canvas, index: usize, frame: &Rect, plot: &Plot, layout: &Layout) -> Result<(), Error> {
+    fn axes(&self, canvas: &mut Canvas, index: usize, frame: &Rect, plot: &Plot, layout: &Layout) {
         // Inward, or outward where they would lie on colours.
         let (short, long) = if self.is_filled { (-3.0, -6.0) } else { (4.0, 7.0) };
         let strokes = |ticks: &Ticks| {
@@ -196,30 +196,29 @@ impl Sheet<'_> {
         };
         for (value, length) in strokes(&layout.x_ticks) {
             let (x, _) = plot.area.at(plot.x.fraction(value), 0.0);
-            canvas.line(&[(x, frame.bottom), (x, frame.bottom - length)], BLACK, 1.0)?;
+            canvas.line(&[(x, frame.bottom), (x, frame.bottom - length)], Stroke::whole(BLACK, 1.0));
         }
         for (value, length) in strokes(&layout.y_ticks) {
             let (_, y) = plot.area.at(0.0, plot.y.fraction(value));
-            canvas.line(&[(frame.left, y), (frame.left + length, y)], BLACK, 1.0)?;
+            canvas.line(&[(frame.left, y), (frame.left + length, y)], Stroke::whole(BLACK, 1.0));
         }
-        canvas.frame(frame, BLACK, 1.2)?;
+        canvas.frame(frame, Stroke::whole(BLACK, 1.2));
         if index + self.columns() >= self.panels.len() {
             for tick in &layout.x_ticks.major {
                 let (x, _) = plot.area.at(plot.x.fraction(tick.value), 0.0);
-                canvas.text(&tick.label, (x, frame.bottom + 9.0 + 0.5 * TEXT), TEXT, Anchor::Middle)?;
+                canvas.text(&tick.label, (x, frame.bottom + 9.0 + 0.5 * TEXT), TEXT, Anchor::Middle);
             }
         }
         if index.is_multiple_of(self.columns()) {
             for tick in &layout.y_ticks.major {
                 let (_, y) = plot.area.at(0.0, plot.y.fraction(tick.value));
-                canvas.text(&tick.label, (frame.left - 8.0, y), TEXT, Anchor::Right)?;
+                canvas.text(&tick.label, (frame.left - 8.0, y), TEXT, Anchor::Right);
             }
         }
-        Ok(())
     }
 
     /// The dashed lines of a panel.
-    fn marks(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) -> Result<(), Error> {
+    fn marks(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) {
         let area = plot.area;
         for mark in head.marks {
             let path = match mark {
@@ -234,11 +233,10 @@ impl Sheet<'_> {
                 _ => continue,
             };
             if self.is_filled {
-                canvas.line(&path, WHITE, 3.0)?;
+                canvas.line(&path, Stroke::whole(WHITE, 3.0));
             }
-            stroke::dashed(canvas, &path, &MARK_DASH, DARK, 1.5)?;
+            canvas.line(&path, Stroke { colour: DARK, thick: 1.5, dash: MARK_DASH });
         }
-        Ok(())
     }
 
     /// The labels of the upright marks of a panel from `left` to `left + width`: the middle and the row of each.
@@ -271,9 +269,9 @@ impl Sheet<'_> {
         self.panels.iter().filter_map(rows).max().unwrap_or(0)
     }
 
-    fn mark_labels(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) -> Result<(), Error> {
+    fn mark_labels(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) {
         for (label, x, row) in self.above(head, frame.left, frame.width()) {
-            canvas.text(label, (x, frame.top - 4.0 - (row as f64 + 0.5) * LINE), TEXT, Anchor::Middle)?;
+            canvas.text(label, (x, frame.top - 4.0 - (row as f64 + 0.5) * LINE), TEXT, Anchor::Middle);
         }
         let mut level: Vec<_> = shown(head.marks, plot.y, Mark::y)
             .map(|(y, label)| (plot.area.at(0.0, plot.y.fraction(y)).1, label))
@@ -283,9 +281,8 @@ impl Sheet<'_> {
         for (y, label) in level {
             let y = y.max(free);
             free = y + LINE;
-            canvas.text(label, (frame.right + 6.0, y), TEXT, Anchor::Left)?;
+            canvas.text(label, (frame.right + 6.0, y), TEXT, Anchor::Left);
         }
-        Ok(())
     }
 }
 
@@ -302,21 +299,20 @@ fn shown<'m>(
 }
 
 /// The lines behind what is drawn.
-fn grid(canvas: &mut Canvas, frame: &Rect, plot: &Plot, layout: &Layout) -> Result<(), Error> {
+fn grid(canvas: &mut Canvas, frame: &Rect, plot: &Plot, layout: &Layout) {
     let area = plot.area;
     for tick in &layout.x_ticks.major {
         let (x, _) = area.at(plot.x.fraction(tick.value), 0.0);
-        canvas.line(&[(x, area.top), (x, area.bottom)], LIGHT, 1.0)?;
+        canvas.line(&[(x, area.top), (x, area.bottom)], Stroke::whole(LIGHT, 1.0));
     }
     for tick in &layout.y_ticks.major {
         let (_, y) = area.at(0.0, plot.y.fraction(tick.value));
-        canvas.line(&[(area.left, y), (area.right, y)], LIGHT, 1.0)?;
+        canvas.line(&[(area.left, y), (area.right, y)], Stroke::whole(LIGHT, 1.0));
     }
     for strip in [Rect { bottom: area.top, ..*frame }, Rect { top: area.bottom, ..*frame }] {
         if strip.height() > 0.0 {
-            canvas.fill(&strip, PALE)?;
-            canvas.frame(&strip, DARK, 0.6)?;
+            canvas.fill(&strip, PALE);
+            canvas.frame(&strip, Stroke::whole(DARK, 0.6));
         }
     }
-    Ok(())
 }

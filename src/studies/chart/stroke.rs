@@ -1,67 +1,18 @@
-//! Lines with dashes, cut at the edges of a panel; and hatching.
-
-use plotters::style::RGBColor;
+//! Series in a panel: their lines, cut and marked where they leave it, and their markers; and hatching.
 
 use super::{
-    Draw, Error, Scale, Series,
+    Draw, Scale, Series,
     axis::Span,
-    canvas::Canvas,
+    canvas::{Canvas, Stroke},
     geometry::{Place, Rect},
-    palette::{GREY, Ink, PALE, Shape, WHITE},
+    marker::{ARROW, Shape},
+    palette::{GREY, Ink, LINE, PALE, WHITE},
 };
 
-/// The thickness of the line of a series.
-pub(super) const LINE: f64 = 2.0;
 /// Markers on a line are thinned if there are more points than this,
 const MANY: usize = 24;
 /// to one in so many pixels along it.
 const APART: f64 = 40.0;
-
-/// A `path` drawn and left out in turn, as `dash` says; whole if it is empty.
-pub(super) fn dashed(
-    canvas: &mut Canvas,
-    path: &[Place],
-    dash: &[f64],
-    colour: RGBColor,
-    thick: f64,
-) -> Result<(), Error> {
-    dashes(path, dash).iter().try_for_each(|piece| canvas.line(piece, colour, thick))
-}
-
-/// The drawn pieces of a path.
-fn dashes(path: &[Place], dash: &[f64]) -> Vec<Vec<Place>> {
-    let mut lengths = dash.iter().copied().cycle();
-    let (Some(mut left), Some(start)) = (lengths.next(), path.first()) else {
-        return vec![path.to_vec()];
-    };
-    let mut pieces = Vec::new();
-    let mut piece = vec![*start];
-    let mut is_drawn = true;
-    for (from, to) in path.iter().zip(path.iter().skip(1)) {
-        let length = (to.0 - from.0).hypot(to.1 - from.1);
-        let mut done = 0.0;
-        while length - done > left {
-            done += left;
-            let place = (from.0 + (to.0 - from.0) * done / length, from.1 + (to.1 - from.1) * done / length);
-            if is_drawn {
-                piece.push(place);
-                pieces.push(std::mem::take(&mut piece));
-            } else {
-                piece = vec![place];
-            }
-            is_drawn = !is_drawn;
-            left = lengths.next().unwrap_or(f64::INFINITY);
-        }
-        left -= length - done;
-        if is_drawn {
-            piece.push(*to);
-        }
-    }
-    if is_drawn && piece.len() > 1 {
-        pieces.push(piece);
-    }
-    pieces
-}
 
 /// The parts inside `rect` of the line through `places`, which is broken where there is none.
 fn inside(places: &[Option<Place>], rect: &Rect) -> Vec<Vec<Place>> {
@@ -92,26 +43,60 @@ impl Plot<'_> {
     }
 
     /// The points of `series` that have a value.
-    pub(super) fn series(&self, canvas: &mut Canvas, series: &Series, ink: Ink, phase: usize) -> Result<(), Error> {
+    pub(super) fn series(&self, canvas: &mut Canvas, series: &Series, ink: Ink, phase: usize) {
         let places = self.places(series);
         if series.draw != Draw::Markers {
             for part in inside(&places, &self.area) {
-                dashed(canvas, &part, ink.dash, ink.colour, LINE)?;
+                canvas.line(&part, ink.stroke(series.draw));
             }
         }
         for place in self.markers(&places, series.draw, phase) {
-            canvas.marker(if series.draw == Draw::Line { Shape::Disc } else { ink.shape }, place, ink.colour)?;
+            let is_line = matches!(series.draw, Draw::Line | Draw::Broad);
+            canvas.marker(if is_line { Shape::Disc } else { ink.shape }, place, ink.colour);
         }
-        Ok(())
+        for (shape, place) in self.leaves(series) {
+            canvas.marker(shape, place, ink.colour);
+        }
     }
 
     /// The line of `series` with a pale edge, to be seen on any colour.
-    pub(super) fn outlined(&self, canvas: &mut Canvas, series: &Series, ink: Ink) -> Result<(), Error> {
+    pub(super) fn outlined(&self, canvas: &mut Canvas, series: &Series, ink: Ink) {
         for part in inside(&self.places(series), &self.area) {
-            canvas.line(&part, WHITE, LINE + 2.4)?;
-            dashed(canvas, &part, ink.dash, ink.colour, LINE)?;
+            canvas.line(&part, Stroke::whole(WHITE, LINE + 2.4));
+            canvas.line(&part, ink.stroke(Draw::Line));
         }
-        Ok(())
+    }
+
+    /// Where a series leaves the panel upwards or downwards: on its way to a point beyond, or at a marker that has no room.
+    pub(super) fn leaves(&self, series: &Series) -> Vec<(Shape, Place)> {
+        let places = self.places(series);
+        let Rect { top, bottom, .. } = self.area;
+        // With its tip at the edge.
+        let arrow = |(x, y): Place| match y {
+            y if y < top - 0.5 => Some((Shape::LeavesUp, (x, top + ARROW))),
+            y if y > bottom + 0.5 => Some((Shape::LeavesDown, (x, bottom - ARROW))),
+            _ => None,
+        };
+        if series.draw == Draw::Markers {
+            let across = |place: &Place| self.area.holds((place.0, bottom));
+            return places.into_iter().flatten().filter(across).filter_map(arrow).collect();
+        }
+        // From the segments that cross an edge: the place where they do.
+        let crossing = |from: Place, to: Place| {
+            let (_, leave) = self.area.clip(from, to)?;
+            let at_an_edge = (leave.1 - top).abs() < 1e-6 || (leave.1 - bottom).abs() < 1e-6;
+            let (shape, (_, y)) = arrow(to).filter(|_| at_an_edge)?;
+            Some((shape, (leave.0, y)))
+        };
+        let pairs = places.iter().zip(places.iter().skip(1));
+        let pairs = pairs.filter_map(|(from, to)| Some(((*from)?, (*to)?)));
+        pairs.flat_map(|(from, to)| [crossing(from, to), crossing(to, from)]).flatten().collect()
+    }
+
+    /// Whether a line has a point without a neighbour to be joined to, which is a disc.
+    pub(super) fn has_lone(&self, series: &Series) -> bool {
+        let is_line = matches!(series.draw, Draw::Line | Draw::Broad);
+        is_line && !self.markers(&self.places(series), series.draw, 0).is_empty()
     }
 
     fn places(&self, series: &Series) -> Vec<Option<Place>> {
@@ -126,7 +111,7 @@ impl Plot<'_> {
             Draw::Markers => seen,
             Draw::Both if seen.len() <= MANY => seen,
             Draw::Both => thinned(&seen, phase),
-            Draw::Line => {
+            Draw::Line | Draw::Broad => {
                 let neighbour = |index: Option<usize>| index.and_then(|index| places.get(index)).copied().flatten();
                 let is_alone = |index: usize| {
                     neighbour(index.checked_sub(1)).is_none() && neighbour(index.checked_add(1)).is_none()
@@ -156,18 +141,17 @@ fn thinned(places: &[Place], phase: usize) -> Vec<Place> {
 }
 
 /// Grey with slanted lines: no value here. The lines of neighbouring areas continue each other.
-pub(super) fn hatch(canvas: &mut Canvas, area: &Rect) -> Result<(), Error> {
+pub(super) fn hatch(canvas: &mut Canvas, area: &Rect) {
     const APART: f64 = 7.0;
-    canvas.fill(area, PALE)?;
+    canvas.fill(area, PALE);
     let first = ((area.left + area.top) / APART).ceil() as i64;
     let last = ((area.right + area.bottom) / APART).floor() as i64;
     for index in first..=last {
         let sum = index as f64 * APART;
         if let Some((from, to)) = area.clip((sum - area.bottom, area.bottom), (sum - area.top, area.top)) {
-            canvas.line(&[from, to], GREY, 1.0)?;
+            canvas.line(&[from, to], Stroke::whole(GREY, 1.0));
         }
     }
-    Ok(())
 }
 
 /// Whether `value` can't be shown on a logarithmic scale because it is zero.
@@ -180,19 +164,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn dashes_go_round_corners() {
-        let path = [(0.0, 0.0), (4.0, 0.0), (4.0, 10.0)];
-        let pieces = dashes(&path, &[6.0, 3.0]);
-        assert_eq!(pieces, [vec![(0.0, 0.0), (4.0, 0.0), (4.0, 2.0)], vec![(4.0, 5.0), (4.0, 10.0)]]);
-        assert_eq!(dashes(&path, &[]), [path.to_vec()]);
-    }
-
-    #[test]
     fn a_line_breaks_at_a_failure_and_at_the_edge() {
         let rect = Rect { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
         let places = [Some((1.0, 1.0)), Some((2.0, 1.0)), None, Some((3.0, 1.0)), Some((3.0, 21.0)), Some((5.0, 1.0))];
         let parts = inside(&places, &rect);
         assert_eq!(parts.len(), 3);
         assert_eq!(parts[1], [(3.0, 1.0), (3.0, 10.0)]);
+    }
+
+    #[test]
+    fn where_a_line_leaves_upwards_or_downwards_is_marked() {
+        let span = Span { scale: Scale::Linear, from: 0.0, to: 1.0 };
+        let area = Rect { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
+        let plot = Plot { area, x: &span, y: &span };
+        let point = |x, y| super::super::Point { x, y: Some(y) };
+        let line = Series::new("x", vec![point(0.0, 0.5), point(0.5, 1.5), point(1.0, 0.5), point(2.0, 0.5)]);
+        let up = |x| (Shape::LeavesUp, (x, ARROW));
+        assert_eq!(plot.leaves(&line), [up(2.5), up(7.5)], "not where it leaves to the right");
+        let markers = Series::new("x", vec![point(0.5, 0.5), point(0.7, -3.0)]).with_draw(Draw::Markers);
+        assert_eq!(plot.leaves(&markers), [(Shape::LeavesDown, (7.0, 10.0 - ARROW))]);
     }
 }

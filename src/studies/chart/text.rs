@@ -1,27 +1,106 @@
-//! Text without a font: how wide it may be, where lines break, and subscripts.
+//! Text without a font: how wide it may be, where lines break, and subscripts (`_{...}`) and superscripts (`^{...}`).
 //!
-//! The viewer's font is not known, so widths are those of a wide one (DejaVu Sans). A subscript is written `_{...}`; on its way through
-//! the drawing library, which escapes tags, it is marked by characters for private use.
+//! The viewer's font is not known, so widths are those of a wide one (DejaVu Sans). Many fonts have no `⁻`, and viewers then take the whole line
+//! from another one; so raised characters are written as superscripts too.
 
-const SUBSCRIPT: char = '\u{E000}';
-const CLOSE: char = '\u{E001}';
-const RAISE: char = '\u{E002}';
-/// The size of a subscript.
-const SMALL: f64 = 0.72;
+/// The size of a subscript or superscript.
+pub(super) const SMALL: f64 = 0.72;
+
+/// Where a piece of a line stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Level {
+    Base,
+    Subscript,
+    Superscript,
+}
+
+impl Level {
+    /// The size of its letters, by that of the line.
+    pub(super) fn size(self) -> f64 {
+        if self == Self::Base { 1.0 } else { SMALL }
+    }
+
+    /// How far its letters stand below the line, by the size of the line.
+    pub(super) fn below(self) -> f64 {
+        match self {
+            Self::Base => 0.0,
+            Self::Subscript => 0.24,
+            Self::Superscript => -0.38,
+        }
+    }
+}
+
+/// A piece of a line, and where it stands.
+pub(super) type Piece = (Level, String);
+
+/// The pieces of a line, raised characters among the superscripts.
+pub(super) fn pieces(line: &str) -> Vec<Piece> {
+    let lowered = |(level, text): Piece| match level {
+        Level::Base => with_raised(&text),
+        _ => vec![(level, text)],
+    };
+    marked(line).into_iter().flat_map(lowered).collect()
+}
+
+/// A text taken apart into what is raised in it, as plain characters, and the rest.
+fn with_raised(text: &str) -> Vec<Piece> {
+    const RAISED: [char; 11] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻'];
+    const PLAIN: [char; 11] = ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9', '−'];
+    let mut pieces: Vec<Piece> = Vec::new();
+    for letter in text.chars() {
+        let plain = RAISED.iter().zip(PLAIN).find(|(raised, _)| **raised == letter).map(|(_, plain)| plain);
+        let (level, letter) = plain.map_or((Level::Base, letter), |plain| (Level::Superscript, plain));
+        match pieces.last_mut() {
+            Some((last, piece)) if *last == level => piece.push(letter),
+            _ => pieces.push((level, letter.into())),
+        }
+    }
+    pieces
+}
+
+/// The pieces of a line as they are marked, without control characters. A mark that is not closed is text.
+fn marked(line: &str) -> Vec<Piece> {
+    let clean: String = line.chars().filter(|letter| !letter.is_control()).collect();
+    let mut pieces = Vec::new();
+    let mut add = |level, text: &str| {
+        if !text.is_empty() {
+            pieces.push((level, text.to_owned()));
+        }
+    };
+    let mut rest = clean.as_str();
+    while let Some((before, level, small, after)) = first_script(rest) {
+        add(Level::Base, before);
+        add(level, small);
+        rest = after;
+    }
+    add(Level::Base, rest);
+    pieces
+}
+
+/// What stands before, in and after the first subscript or superscript.
+fn first_script(text: &str) -> Option<(&str, Level, &str, &str)> {
+    let open = [("_{", Level::Subscript), ("^{", Level::Superscript)];
+    let starts = open.into_iter().filter_map(|(mark, level)| Some((text.find(mark)?, mark, level)));
+    let (_, mark, level) = starts.min_by_key(|(start, ..)| *start)?;
+    let (before, rest) = text.split_once(mark)?;
+    let (small, after) = rest.split_once('}')?;
+    Some((before, level, small, after))
+}
+
+/// The line where nothing can be lowered or raised: `a_cr`, `ε^(3/2)`.
+pub(super) fn plain(line: &str) -> String {
+    let spelt = |(level, text)| match level {
+        Level::Base => text,
+        Level::Subscript => format!("_{text}"),
+        Level::Superscript => format!("^({text})"),
+    };
+    marked(line).into_iter().map(spelt).collect()
+}
 
 /// The greatest width that `text` at `size` pixels may take.
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    let mut small = false;
-    let mut sum = 0.0;
-    for letter in encode(text).chars() {
-        match letter {
-            SUBSCRIPT => small = true,
-            CLOSE => small = false,
-            RAISE => {}
-            _ => sum += advance(letter) * if small { SMALL } else { 1.0 },
-        }
-    }
-    sum * size
+    let of_one = |(level, text): &Piece| text.chars().map(advance).sum::<f64>() * level.size();
+    pieces(text).iter().map(of_one).sum::<f64>() * size
 }
 
 /// The width of a letter at size 1.
@@ -29,7 +108,6 @@ fn advance(letter: char) -> f64 {
     match letter {
         'i' | 'j' | 'l' | 'I' | '|' | '\'' | ' ' | '.' | ',' | ':' | ';' | '/' | '!' => 0.34,
         'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '-' => 0.42,
-        '⁰'..='⁹' | '⁻' | '¹' | '²' | '³' => 0.45,
         'm' | 'w' | 'M' | 'W' | '@' | '—' | '%' => 1.0,
         '+' | '−' | '×' | '=' | '<' | '>' | '≤' | '≥' | '≈' | '±' | '→' => 0.84,
         'A'..='Z' | 'ω' | 'Γ'..='Ω' => 0.8,
@@ -54,59 +132,34 @@ pub(super) fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
     lines
 }
 
-/// `text` with its subscripts marked.
-pub(super) fn encode(text: &str) -> String {
-    let is_plain = |letter: &char| !letter.is_control() && ![SUBSCRIPT, CLOSE, RAISE].contains(letter);
-    let clean: String = text.chars().filter(is_plain).collect();
-    let mut marked = String::new();
-    let mut rest = clean.as_str();
-    let mut raised = false;
-    while let Some((before, small, after)) = subscript(rest) {
-        marked.push_str(before);
-        if raised {
-            marked.push(CLOSE);
-        }
-        marked.push(SUBSCRIPT);
-        marked.push_str(small);
-        marked.push(CLOSE);
-        raised = !after.is_empty();
-        if raised {
-            marked.push(RAISE);
-        }
-        rest = after;
-    }
-    marked.push_str(rest);
-    if raised {
-        marked.push(CLOSE);
-    }
-    marked
-}
-
-/// What stands before, in and after the first subscript.
-fn subscript(text: &str) -> Option<(&str, &str, &str)> {
-    let (before, rest) = text.split_once("_{")?;
-    let (small, after) = rest.split_once('}')?;
-    Some((before, small, after))
-}
-
-/// The finished `svg` with the marks of [`encode`] as SVG.
-pub(super) fn decode(svg: &str) -> String {
-    const DOWN: f64 = 0.25;
-    svg.replace(SUBSCRIPT, &format!(r#"<tspan dy="{DOWN}em" font-size="{SMALL}em">"#))
-        .replace(RAISE, &format!(r#"<tspan dy="{}em">"#, -DOWN * SMALL))
-        .replace(CLOSE, "</tspan>")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn subscripts_become_spans() {
-        let marked = decode(&encode("τ_{ch}/T < a_{cr}"));
-        let (down, up) = (r#"<tspan dy="0.25em" font-size="0.72em">"#, r#"<tspan dy="-0.18em">"#);
-        assert_eq!(marked, format!("τ{down}ch</tspan>{up}/T < a</tspan>{down}cr</tspan>"));
-        assert_eq!(decode(&encode("a_cr and _{")), "a_cr and _{");
+    fn scripts_are_taken_apart() {
+        use Level::{Base, Subscript, Superscript};
+        let of = |line: &str| pieces(line);
+        let piece = |level, text: &str| (level, text.to_owned());
+        assert_eq!(
+            of("τ_{ch}/ε^{1/2}, a_{cr}"),
+            [
+                piece(Base, "τ"),
+                piece(Subscript, "ch"),
+                piece(Base, "/ε"),
+                piece(Superscript, "1/2"),
+                piece(Base, ", a"),
+                piece(Subscript, "cr")
+            ]
+        );
+        assert_eq!(of("a_cr and _{"), [piece(Base, "a_cr and _{")]);
+        assert_eq!(of("one\ntwo"), [piece(Base, "onetwo")]);
+        assert_eq!(
+            of("2×10⁻¹² η²"),
+            [piece(Base, "2×10"), piece(Superscript, "−12"), piece(Base, " η"), piece(Superscript, "2")]
+        );
+        assert_eq!(plain("η² of τ_{ch}"), "η² of τ_ch");
+        assert_eq!(plain("τ_{ch} of ε^{3/2}"), "τ_ch of ε^(3/2)");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Which values of an axis are written beside it: as many round ones as there is room for.
 
 use super::{
+    Axis,
     axis::{Scale, Span},
     number,
 };
@@ -22,8 +23,20 @@ pub(super) struct Tick {
 }
 
 impl Ticks {
+    /// Those of `axis`: its own, or the most that fit.
+    pub(super) fn of(axis: &Axis, span: &Span, length: f64, room: impl Fn(&str) -> f64) -> Self {
+        match &axis.ticks {
+            None => Self::new(span, length, room),
+            Some(own) => {
+                let shown = own.iter().filter(|(value, _)| span.holds(*value));
+                let major = shown.map(|(value, label)| Tick { value: *value, label: label.clone() }).collect();
+                Self { major, minor: Vec::new() }
+            }
+        }
+    }
+
     /// The most ticks that fit an axis `length` long, a label taking `room` of it.
-    pub(super) fn new(span: &Span, length: f64, room: impl Fn(&str) -> f64) -> Self {
+    fn new(span: &Span, length: f64, room: impl Fn(&str) -> f64) -> Self {
         let fits = |ticks: &Vec<Tick>| {
             ticks.iter().zip(ticks.iter().skip(1)).all(|(one, next)| {
                 let apart = (span.fraction(next.value) - span.fraction(one.value)) * length;

@@ -91,12 +91,12 @@ fn errors_against_a(table: &Table) -> Result<String, Error> {
 }
 
 fn errors_near_critical(table: &Table) -> Result<String, Error> {
-    let keep = |method: &str| ["resummed", "order 32", "reverted series", "H cut off", "H by Pade"].contains(&method);
+    let keep = |method: &str| ["resummed", "order 32", "reverted series", "H cut off", "H by Padé"].contains(&method);
     LineChart {
         title: format!("Ways to sum up to {} terms near a_{{cr}} (ω = {})", asymptotic::RESUMMED_TERMS, omega(table)?),
         caption: "The critical amplitude is to the left: the sum that knows the powers behind the branch point \
                   (resummed) holds closest to it, until it cannot tell a from a_{cr} and gives no value; H is \
-                  (1 − (τ_{ch}/(T/2))²)^(1/β), order 32 is the plain sum of 32 terms."
+                  (1 − (τ_{ch}/(T/2))²)^{1/β}, order 32 is the plain sum of 32 terms."
             .into(),
         x: Axis::log(TO_GO).with_range(1e-7, 1.0),
         y: Axis::log(ERROR).with_range(FLOOR, 1.0),
@@ -121,7 +121,7 @@ fn present(table: &Table, x: &str, y: &str) -> Result<Vec<crate::studies::chart:
 
 fn coefficients(table: &Table) -> Result<String, Error> {
     LineChart {
-        title: format!("Coefficients of ω τ_{{ch}}/ε^(1/2), ω = {}", omega(table)?),
+        title: format!("Coefficients of ω τ_{{ch}}/ε^{{1/2}}, ω = {}", omega(table)?),
         caption: "All coefficients are positive, so the singularity that ends the convergence lies on the real axis \
                   (Pringsheim): it is a_{cr}."
             .into(),
@@ -137,16 +137,15 @@ fn coefficients(table: &Table) -> Result<String, Error> {
 fn ratios(table: &Table) -> Result<String, Error> {
     LineChart {
         title: format!("Ratios of the coefficients (Domb and Sykes), ω = {}", omega(table)?),
-        caption: "Against 1/k the ratios tend to their limit 1/(a_{cr} − 1), with the slope −(1 + β): the radius of \
-                  convergence is a_{cr} − 1."
+        caption: "Against 1/k the ratios, here over 1/(a_{cr} − 1), tend to 1 with the slope −(1 + β): their limit is \
+                  1/(a_{cr} − 1), and the radius of convergence a_{cr} − 1."
             .into(),
         x: Axis::linear("1/k").with_range(0.0, 0.25),
         y: Axis::linear("(a_{cr} − 1) c_{k}/c_{k−1}").with_range(0.5, 1.02),
         columns: 1,
         missing: String::new(),
         panels: vec![
-            Panel::new("", by_eta(table, "inverse_k", "ratio_over_limit")?)
-                .with_marks(vec![Mark::level(1.0, "1/(a_{cr} − 1)")]),
+            Panel::new("", by_eta(table, "inverse_k", "ratio_over_limit")?).with_marks(vec![Mark::level(1.0, "limit")]),
         ],
     }
     .svg()
@@ -201,15 +200,16 @@ fn first_error(table: &Table) -> Result<String, Error> {
 
 fn exponents(table: &Table) -> Result<String, Error> {
     let series = vec![
-        Series::new("formula", present(table, "eta", "formula")?).with_draw(Draw::Line),
+        Series::new("formula", present(table, "eta", "formula")?),
         Series::new("from the coefficients", present(table, "eta", "coefficients")?).with_draw(Draw::Markers),
         Series::new("from proven chattering times", present(table, "eta", "stepping")?).with_draw(Draw::Markers),
     ];
     LineChart {
         title: format!("The exponent β of the approach to a_{{cr}} (ω = {})", omega(table)?),
-        caption: "1 − τ_{ch}/(T/2) falls as (a_{cr} − a)^β: proven chattering times give the β of the formula to five \
+        caption:
+            "1 − τ_{ch}/(T/2) falls as (a_{cr} − a)^{β}: proven chattering times give the β of the formula to five \
                   digits, the coefficients of the series to three."
-            .into(),
+                .into(),
         x: Axis::linear("η"),
         y: Axis::linear("β").with_range(0.596, 0.616),
         columns: 1,
@@ -223,7 +223,7 @@ fn local_exponents(table: &Table) -> Result<String, Error> {
     let series = by_eta(table, "to_go", "off")?;
     LineChart {
         title: format!("The local exponent towards a_{{cr}} (ω = {})", omega(table)?),
-        caption: "The slope of ln(1 − τ_{ch}/(T/2)) against ln(a_{cr} − a) comes near to β only as (a_{cr} − a)^β \
+        caption: "The slope of ln(1 − τ_{ch}/(T/2)) against ln(a_{cr} − a) comes near to β only as (a_{cr} − a)^{β} \
                   becomes small: a fit from afar finds another exponent."
             .into(),
         x: Axis::log(TO_GO),
@@ -239,12 +239,12 @@ fn scaled_tail(table: &Table) -> Result<String, Error> {
     let series = by_eta(table, "k", "scaled_tail")?;
     LineChart {
         title: format!("The factor that is periodic in the logarithm, ω = {}", omega(table)?),
-        caption: "Coefficients of H = (1 − (τ_{ch}/(T/2))²)^(1/β) with their power of k taken out: at small η they swing \
+        caption: "Coefficients of H = (1 − (τ_{ch}/(T/2))²)^{1/β} with their power of k taken out: at small η they swing \
                   in ln k, with the period ln μ (1.35 at η = 0.5), because the approach to a_{cr} repeats itself in ever \
                   smaller copies; at larger η only slow corrections show."
             .into(),
         x: Axis::log("k"),
-        y: Axis::linear("h_{k} (a_{cr} − 1)^k k^(2+β), over the last").with_range(0.0, 1.6),
+        y: Axis::linear("h_{k} (a_{cr} − 1)^{k} k^{2+β}, over the last"),
         columns: 1,
         missing: String::new(),
         panels: vec![Panel::new("", series.into_iter().map(|series| series.with_draw(Draw::Line)).collect())],
@@ -259,7 +259,7 @@ fn fits(table: &Table) -> Result<String, Error> {
         title: "Fits of the critical amplitude".into(),
         caption:
             "With as many coefficients as Eqs 76 and 77 (which are meant for η above 0.75), fits in the powers that \
-                  the motion has, (1 − η)^(3/7) and 1/ω², are some thousand and some hundred times nearer to a_{cr}."
+                  the motion has, (1 − η)^{3/7} and 1/ω², are some thousand and some hundred times nearer to a_{cr}."
                 .into(),
         x: Axis::log("ω"),
         y: Axis::linear("η"),
@@ -275,7 +275,7 @@ fn truncation(table: &Table) -> Result<String, Error> {
     let of_one = |rows: &Table| only(rows, "truncation", "share", "error", |_| true);
     LineChart {
         title: format!("The truncation of Eq. 65, ω = {}", omega(table)?),
-        caption: "Eq. 65 keeps the ε^(3/2) of the odd flights and drops that of the even ones: near the threshold its \
+        caption: "Eq. 65 keeps the ε^{3/2} of the odd flights and drops that of the even ones: near the threshold its \
                   error is of a lower order than that of two consistent terms; where its curve dips below, the two \
                   mistakes cancel."
             .into(),

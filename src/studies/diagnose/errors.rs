@@ -101,7 +101,7 @@ fn methods(expansion: &Expansion) -> Result<Vec<(String, Approximation<'_>)>, De
     let alternatives = [
         ("reverted series", Some(Alternative::reverted(expansion))),
         ("H cut off", Some(Alternative::truncated(expansion))),
-        ("H by Pade", Alternative::pade(expansion)),
+        ("H by Padé", Alternative::pade(expansion)),
     ];
     for (name, alternative) in alternatives {
         if let Some(alternative) = alternative {

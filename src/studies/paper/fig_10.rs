@@ -2,7 +2,7 @@
 
 use super::{
     Error, Figure,
-    history::{self, CHATTERING, ETA, FINE, OMEGA, duration, initiations, lines, response, rows, table},
+    history::{self, CHATTERING, ETA, FINE, OMEGA, PART, WHOLE, duration, initiations, lines, response, rows, table},
     missing,
 };
 use crate::studies::chart::{self, Table};
@@ -17,8 +17,8 @@ fn measure() -> Result<String, Error> {
     let rest = response.bouts.first().ok_or_else(|| missing("the rocking of Fig. 10"))?.end();
     let mut parts = Vec::new();
     for scheme in [CHATTERING, FINE] {
-        parts.push(rows("whole", A, scheme, (0.0, duration()))?);
-        parts.push(rows("insert", A, scheme, (0.95 * rest, 1.01 * rest))?);
+        parts.push(rows("whole", A, scheme, (0.0, duration()), WHOLE)?);
+        parts.push(rows("insert", A, scheme, (0.95 * rest, 1.01 * rest), PART)?);
     }
     table(parts)
 }
@@ -26,7 +26,7 @@ fn measure() -> Result<String, Error> {
 fn whole(table: &Table) -> Result<String, chart::Error> {
     let title = format!("Both schemes below a_{{cr}}: a = {A}, ω = {OMEGA}, η = {ETA}");
     let caption =
-        "At this scale the two can't be told apart: the block comes to rest before the second initiation by either.";
+        "At this scale the two lie on each other: the block comes to rest before the second initiation by either.";
     history::chart(&title, caption, lines(table, "whole", "phi")?, initiations())
 }
 

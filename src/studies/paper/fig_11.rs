@@ -2,7 +2,7 @@
 
 use super::{
     Error, Figure, half_period,
-    history::{self, CHATTERING, COARSE, ETA, FINE, OMEGA, duration, lines, response, rows, table},
+    history::{self, CHATTERING, COARSE, ETA, FINE, OMEGA, PART, WHOLE, duration, lines, response, rows, table},
     missing,
 };
 use crate::studies::chart::{self, Mark, Table};
@@ -18,8 +18,8 @@ fn measure() -> Result<String, Error> {
     let again = half_period(OMEGA);
     let mut parts = Vec::new();
     for scheme in [CHATTERING, FINE, COARSE] {
-        parts.push(rows("whole", A, scheme, (0.0, duration()))?);
-        parts.push(rows("insert", A, scheme, (0.8 * rest, again + 0.3 * (again - rest)))?);
+        parts.push(rows("whole", A, scheme, (0.0, duration()), WHOLE)?);
+        parts.push(rows("insert", A, scheme, (0.8 * rest, again + 0.3 * (again - rest)), PART)?);
     }
     table(parts)
 }

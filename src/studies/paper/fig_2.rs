@@ -2,7 +2,7 @@
 
 use super::{
     Error, Figure, half_period,
-    history::{self, ETA, OMEGA, Row, lines, mark, response, rows, table},
+    history::{self, ETA, OMEGA, PART, Row, WHOLE, lines, mark, response, rows, table},
     missing,
 };
 use crate::{
@@ -32,11 +32,11 @@ fn measure() -> Result<String, Error> {
     };
     let after = rest + 0.05 * (rest - time(FINAL)?);
     table(vec![
-        rows("a", A, EXACT, (0.0, half_period(OMEGA)))?,
+        rows("a", A, EXACT, (0.0, half_period(OMEGA)), WHOLE)?,
         vec![mark("rest", None, rest)],
-        rows("b", A, EXACT, (0.0, time(FIRST)?))?,
+        rows("b", A, EXACT, (0.0, time(FIRST)?), PART)?,
         marks("impacts b", 1, 4)?,
-        rows("c", A, EXACT, (time(FINAL)?, after))?,
+        rows("c", A, EXACT, (time(FINAL)?, after), PART)?,
         marks("impacts c", FINAL + 1, FINAL + 4)?,
     ])
 }

@@ -60,15 +60,15 @@ fn draw(table: &Table) -> Result<String, chart::Error> {
     let mut series = table.series("sign", "n", "ratio")?;
     for one in &mut series {
         let sign = if one.name == "-1" { "i_{0}" } else { "−i_{0}" };
-        *one = crate::studies::chart::Series::new(format!("i_{{n}} = {sign}"), one.points.clone())
-            .with_draw(Draw::Markers);
+        *one =
+            crate::studies::chart::Series::new(format!("i_{{n}} = {sign}"), one.points.clone()).with_draw(Draw::Both);
     }
     LineChart {
         title: format!("Ratio of intervals, a = {a}, ω = {omega}, η = {eta}"),
         caption: "The ratio of every two consecutive intervals of the same sign varies at first and tends to η² from \
                   either side."
             .into(),
-        x: Axis::linear("n").with_range(0.0, 120.0),
+        x: Axis::linear("n").with_range(-2.0, 122.0),
         y: Axis::linear("Δτ_{n+2}/Δτ_{n}"),
         columns: 1,
         missing: String::new(),

@@ -21,7 +21,7 @@ struct Row {
     /// The time since the first initiation, at which the excitation begins.
     tau: f64,
     /// `ü_g/(g α) = a sin(ωτ + ψ)`.
-    excitation: f64,
+    ground_acceleration: f64,
     /// `1` or `2` at the first or second initiation, nothing elsewhere.
     initiation: Option<u8>,
 }
@@ -33,16 +33,16 @@ fn measure() -> Result<String, Error> {
     let initiations = [(0.0, Some(1)), (half_period(OMEGA), Some(2))];
     let mut times: Vec<(f64, Option<u8>)> = even.chain(initiations).collect();
     times.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let row = |(tau, initiation)| Row { tau, excitation: A * (OMEGA * tau + psi).sin(), initiation };
+    let row = |(tau, initiation)| Row { tau, ground_acceleration: A * (OMEGA * tau + psi).sin(), initiation };
     Ok(csv_text(&times.into_iter().map(row).collect::<Vec<_>>())?)
 }
 
 fn draw(table: &Table) -> Result<String, chart::Error> {
-    let excitation = Series::new("a sin(ωτ + ψ)", table.points("tau", "excitation")?).with_draw(Draw::Line);
+    let excitation = Series::new("a sin(ωτ + ψ)", table.points("tau", "ground_acceleration")?).with_draw(Draw::Line);
     let mut marks = Vec::new();
     let mut series = vec![excitation];
     for (number, name) in [("1", "1st initiation"), ("2", "2nd initiation")] {
-        let points = table.filter("initiation", number)?.points("tau", "excitation")?;
+        let points = table.filter("initiation", number)?.points("tau", "ground_acceleration")?;
         marks.extend(points.iter().map(|point| Mark::at(point.x, name)));
         series.push(Series::new(name, points).with_draw(Draw::Markers));
     }

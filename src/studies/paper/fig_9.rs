@@ -2,7 +2,7 @@
 
 use super::{
     Error, Figure, fig_4,
-    history::{self, CHATTERING, ETA, OMEGA, duration, initiations, lines, response, rows, table},
+    history::{self, CHATTERING, ETA, OMEGA, PART, WHOLE, duration, initiations, lines, response, rows, table},
     missing,
 };
 use crate::studies::chart::{self, Table};
@@ -19,8 +19,8 @@ fn measure() -> Result<String, Error> {
     let (response, _) = response(A, CHATTERING.1)?;
     let rest = response.bouts.first().ok_or_else(|| missing("the rocking of Fig. 9"))?.end();
     table(vec![
-        rows("whole", A, CHATTERING, (0.0, duration()))?,
-        rows("insert", A, CHATTERING, (0.9 * rest, 1.02 * rest))?,
+        rows("whole", A, CHATTERING, (0.0, duration()), WHOLE)?,
+        rows("insert", A, CHATTERING, (0.9 * rest, 1.02 * rest), PART)?,
     ])
 }
 
@@ -39,7 +39,7 @@ fn insert(table: &Table) -> Result<String, chart::Error> {
 }
 
 fn excitation(table: &Table) -> Result<String, chart::Error> {
-    let mut series = lines(table, "whole", "excitation")?;
+    let mut series = lines(table, "whole", "ground_acceleration")?;
     for one in &mut series {
         one.name = "a sin(ωτ + ψ)".into();
     }

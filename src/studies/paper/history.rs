@@ -14,8 +14,10 @@ use crate::{
 pub(super) const OMEGA: f64 = 2.0;
 /// Their restitution.
 pub(super) const ETA: f64 = 0.92;
-/// How many steps a chart is wide: one is less than three pixels.
-const STEPS: usize = 200;
+/// How many steps a chart of the whole motion is wide: one is a pixel, as a flight is a few of them.
+pub(super) const WHOLE: usize = 600;
+/// The same of a part of it.
+pub(super) const PART: usize = 300;
 
 /// Scheme (a) of Fig. 8.
 pub(super) const CHATTERING: (&str, Termination) =
@@ -39,7 +41,7 @@ pub(super) struct Row {
     /// `φ = θ/α`.
     phi: f64,
     /// `ü_g/(g α)`; nothing in a row that marks a time.
-    excitation: Option<f64>,
+    ground_acceleration: Option<f64>,
 }
 
 /// 2.5 periods, which the excitation lasts.
@@ -60,29 +62,25 @@ pub(super) fn rows(
     a: f64,
     scheme: (&'static str, Termination),
     window: (f64, f64),
+    steps: usize,
 ) -> Result<Vec<Row>, Error> {
     let (response, request) = response(a, scheme.1)?;
-    let window = Window { from: window.0, to: window.1, steps: STEPS };
+    let window = Window { from: window.0, to: window.1, steps };
     let samples = response.samples(panel::stepper().as_ref(), &request, &window)?;
     let row = |sample: crate::motion::response::Sample| Row {
         part,
         scheme: scheme.0,
         n: None,
-        tau: to_digits(sample.tau, 9),
-        phi: to_digits(sample.phi, 6),
-        excitation: Some(to_digits(sample.ground_acceleration, 6)),
+        tau: sample.tau,
+        phi: sample.phi,
+        ground_acceleration: Some(sample.ground_acceleration),
     };
     Ok(samples.into_iter().map(row).collect())
 }
 
-/// A number with so many significant digits: more could not be seen, and would make the files twice as long.
-fn to_digits(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits - 1).parse().unwrap_or(value)
-}
-
 /// A row that marks a time: an impact, or with no number where they accumulate.
 pub(super) fn mark(part: &'static str, n: Option<usize>, tau: f64) -> Row {
-    Row { part, scheme: "", n, tau, phi: 0.0, excitation: None }
+    Row { part, scheme: "", n, tau, phi: 0.0, ground_acceleration: None }
 }
 
 /// The text of a table.
@@ -90,10 +88,13 @@ pub(super) fn table(parts: Vec<Vec<Row>>) -> Result<String, Error> {
     Ok(csv_text(&parts.concat())?)
 }
 
-/// A line for each scheme in one part of a figure.
+/// A line for each scheme in one part of a figure. Where there are several the first is broad, so that one that coincides does not hide it.
 pub(super) fn lines(table: &Table, part: &str, y: &str) -> Result<Vec<Series>, chart::Error> {
     let series = table.filter("part", part)?.series("scheme", "tau", y)?;
-    Ok(series.into_iter().map(|one| one.with_draw(Draw::Line)).collect())
+    let several = series.len() > 1;
+    let of =
+        |(index, one): (usize, Series)| one.with_draw(if several && index == 0 { Draw::Broad } else { Draw::Line });
+    Ok(series.into_iter().enumerate().map(of).collect())
 }
 
 /// A chart of rotations against time.

@@ -4,9 +4,9 @@ use contract::{Case, Invalid, Normalisation, Slenderness};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Plan, Question};
 use crate::{
     measure::critical,
+    motion::plan::{Plan, Question},
     studies::{
         chart::{self, Axis, Chart, Draw, LineChart, Mark, Panel, Point, Series, Table},
         diagnose::spread,
@@ -92,7 +92,9 @@ pub fn draw(table: &Table) -> Result<String, chart::Error> {
         });
         let mut series = series.collect::<Result<Vec<_>, chart::Error>>()?;
         series.retain(|series| !series.points.is_empty());
-        let tolerance = tolerance.parse::<f64>().map_or(tolerance.to_owned(), |tolerance| format!("{tolerance:e}"));
+        let tolerance = tolerance.parse::<f64>().map_or(tolerance.to_owned(), |tolerance| {
+            format!("10^{{{}}}", tolerance.log10().round()).replace('-', "−")
+        });
         Ok(Panel::new(format!("tolerance {tolerance}"), series).with_marks(vec![Mark::at(1.0, "a_{cr}")]))
     });
     LineChart {
