@@ -1,7 +1,11 @@
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
 use anyhow::{Context as _, anyhow, ensure};
-use chattercheck::studies::{atlas, chart, plan_map, work_precision};
+use chattercheck::studies::{
+    atlas,
+    chart::{self, Chart},
+    plan_map, work_precision,
+};
 use clap::{Args, ValueEnum};
 
 use super::{Status, files::make_folder, output::print};
@@ -22,6 +26,9 @@ pub(super) struct Arguments {
     /// Rows of the peers, from benches/peers, to be drawn beside the others
     #[arg(long, value_name = "FILE")]
     peers: Option<PathBuf>,
+    /// Draw the charts again from the tables that are in DIR already, and measure nothing
+    #[arg(long, conflicts_with = "peers")]
+    redraw: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -32,16 +39,27 @@ enum Part {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let Arguments { out, only, peers } = arguments;
+    let Arguments { out, only, peers, redraw } = arguments;
     ensure!(
         peers.is_none() || only.is_none_or(|only| only == Part::WorkPrecision),
         "peers are drawn in the work-precision charts; allowed: without --only, or with --only work-precision"
     );
+    let wanted = |part| only.is_none_or(|only| only == part);
+    if *redraw {
+        let parts: [(Part, &[Chart]); 3] = [
+            (Part::WorkPrecision, &work_precision::CHARTS),
+            (Part::Atlas, &atlas::CHARTS),
+            (Part::Plan, &plan_map::CHARTS),
+        ];
+        for (_, charts) in parts.into_iter().filter(|(part, _)| wanted(*part)) {
+            print(&chart::redraw(out, charts)?)?;
+        }
+        return Ok(Status::Well);
+    }
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
     // First, because what follows takes a while.
     make_folder("out", out)?;
     let bar = indicatif::ProgressBar::new_spinner();
-    let wanted = |part| only.is_none_or(|only| only == part);
     if wanted(Part::WorkPrecision) {
         let mut rows = work_precision::measure(&work_precision::Scope::default(), || bar.inc(1))
             .map_err(|decline| anyhow!("{decline}"))?;

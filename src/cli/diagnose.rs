@@ -54,5 +54,5 @@ fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Scope, Invalid> {
     }
     let steps = usize::try_from(grid).ok().filter(|grid| (1..=200).contains(grid));
     let grid = steps.ok_or_else(|| Invalid::new("grid", grid, "1 to 200"))?;
-    Ok(Scope { omega, etas: etas.to_vec(), grid })
+    Ok(Scope { omega, etas: etas.to_vec(), grid, ..Scope::default() })
 }

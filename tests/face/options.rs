@@ -193,6 +193,7 @@ fn every_option_of_every_command_is_known_to_these_tests() {
         "--out",
         "--only",
         "--peers",
+        "--redraw",
         "--grid",
         "--help",
     ];

@@ -1,5 +1,6 @@
 //! The plan: what it predicts is true, what it chooses is enough, and it costs little.
 
+use crate::effort::pick;
 use chattercheck::{
     measure::{asking::ask, critical},
     motion::{
@@ -7,7 +8,6 @@ use chattercheck::{
         plan::{Found, Method, Outcome, Place, Plan, evidence, step},
     },
     panel,
-    studies::chart::Table,
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{
@@ -41,7 +41,8 @@ fn proven(case: &Case) -> Option<Option<f64>> {
 #[test]
 fn the_linearisation_error_is_what_is_predicted() {
     let strategy = (0.01..0.999f64, 0.5f64.ln()..8.0f64.ln(), 0.5..0.97f64, 0.02..0.3f64);
-    let ratios: Vec<f64> = draws(strategy, 300)
+    let many = pick("cases of the linearisation error", 60, 300);
+    let ratios: Vec<f64> = draws(strategy, many)
         .into_par_iter()
         .filter_map(|(share, log_omega, eta, alpha)| {
             let omega = log_omega.exp();
@@ -57,14 +58,19 @@ fn the_linearisation_error_is_what_is_predicted() {
         .collect();
     let (least, most) =
         ratios.iter().fold((f64::INFINITY, 0.0f64), |(least, most), &ratio| (least.min(ratio), most.max(ratio)));
-    assert!(ratios.len() > 280 && least > 1.0 && most < 3.0, "{} ratios from {least} to {most}", ratios.len());
+    assert!(
+        ratios.len() > many * 9 / 10 && least > 1.0 && most < 3.0,
+        "{} ratios from {least} to {most}",
+        ratios.len()
+    );
 }
 
 /// What is predicted to be left with each flight corrected is above what is left, and mostly not by more than 6 times.
 #[test]
 fn what_the_corrected_flights_leave_is_less_than_predicted() {
     let strategy = (0.01..0.999f64, 0.5f64.ln()..8.0f64.ln(), 0.5..0.97f64, 0.1..0.5f64);
-    let mut ratios: Vec<f64> = draws(strategy, 400)
+    let many = pick("cases of the corrected flights", 80, 400);
+    let mut ratios: Vec<f64> = draws(strategy, many)
         .into_par_iter()
         .filter_map(|(share, log_omega, eta, alpha)| {
             let omega = log_omega.exp();
@@ -81,7 +87,11 @@ fn what_the_corrected_flights_leave_is_less_than_predicted() {
         .collect();
     ratios.sort_by(f64::total_cmp);
     let (least, median) = (ratios[0], ratios[ratios.len() / 2]);
-    assert!(ratios.len() > 300 && least > 1.0 && median < 6.0, "{} ratios from {least}, {median}", ratios.len());
+    assert!(
+        ratios.len() > many * 3 / 4 && least > 1.0 && median < 6.0,
+        "{} ratios from {least}, {median}",
+        ratios.len()
+    );
 }
 
 /// The curvature of the response near `a_cr` is not in what the corrected flights leave, but in what a derivative along the linear solution does.
@@ -132,13 +142,12 @@ fn a_corrected_flight_is_off_by_the_fourth_power_of_the_slenderness() {
 /// is. The truth is the enclosure of Eq. 2.
 #[test]
 fn no_answer_misses_its_tolerance() {
-    let many = 2000;
+    let many = pick("questions judged by the enclosure", 300, 2000);
     let questions = evidence::questions(1, many).unwrap();
-    let misses: Vec<String> = questions
+    let answers: Vec<_> = questions.par_iter().map(|question| (Plan::new(*question).answer(), question)).collect();
+    let misses: Vec<String> = answers
         .par_iter()
-        .filter_map(|question| {
-            let plan = Plan::new(*question);
-            let answer = plan.answer();
+        .filter_map(|(answer, question)| {
             let truth = if question.case.epsilon() <= 0.0 { None } else { proven(&question.case)? };
             let wrong = match (answer.outcome(), truth) {
                 (Some(Outcome::Complete(time)), Some(truth)) => {
@@ -152,7 +161,6 @@ fn no_answer_misses_its_tolerance() {
         })
         .collect();
     assert!(misses.is_empty(), "{} of {many}: {}", misses.len(), misses.join("\n"));
-    let answers: Vec<_> = questions.par_iter().map(|question| (Plan::new(*question).answer(), question)).collect();
     let met = answers.iter().filter(|(answer, _)| answer.meets).count();
     assert!(met as f64 > 0.98 * many as f64, "{met} of {many} are as accurate as asked");
     let by = |method: Method| answers.iter().filter(|(answer, _)| answer.method() == Some(method)).count();
@@ -169,27 +177,4 @@ fn no_answer_misses_its_tolerance() {
     for (k, count) in counts.iter().enumerate().take(5) {
         assert!(*count > 0, "method {k} is never chosen: {counts:?}");
     }
-}
-
-/// The map reaches every method that it has a name for, and each where it belongs.
-#[test]
-fn the_map_shows_how_much_model_is_needed() {
-    let rows = plan_map::rows().unwrap();
-    let of = |method: &str| rows.iter().filter(|row| row.method == method).collect::<Vec<_>>();
-    assert!(of("nothing").iter().all(|row| row.share <= 0.0) && !of("nothing").is_empty());
-    assert!(of("critical-amplitude").iter().all(|row| row.share > 1.0) && !of("critical-amplitude").is_empty());
-    for method in ["closed-form", "closed-form/corrected", "taylor"] {
-        assert!(of(method).len() > 20, "{method}: {}", of(method).len());
-    }
-    // The stockier the block and the more digits, the more model.
-    let mean = |method: &str| of(method).iter().map(|row| row.alpha.ln()).sum::<f64>() / of(method).len() as f64;
-    assert!(mean("closed-form") < mean("closed-form/corrected") && mean("closed-form/corrected") < mean("taylor"));
-    for row in &rows {
-        assert!(row.uncertainty.is_none_or(|off| off <= row.tolerance), "{row:?}");
-    }
-    let mut csv = csv::Writer::from_writer(Vec::new());
-    rows.iter().for_each(|row| csv.serialize(row).unwrap());
-    let table = Table::from_reader(plan_map::CHARTS[0].table, csv.into_inner().unwrap().as_slice()).unwrap();
-    let svg = plan_map::draw(&table).unwrap();
-    assert!(svg.contains("corrected"));
 }

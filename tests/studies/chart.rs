@@ -4,7 +4,9 @@ use std::{collections::BTreeSet, sync::OnceLock};
 
 use assert_cmd::Command;
 use chattercheck::studies::{
+    atlas,
     chart::Table,
+    diagnose, plan_map,
     work_precision::{CHARTS, Scope, WorkRow, files, measure, read},
 };
 
@@ -85,6 +87,55 @@ fn every_chart_is_drawn_from_the_file_with_and_without_peers() {
         }
     }
     assert!(read("share,epsilon\n50 %,0.1\n").is_err());
+}
+
+/// The charts that are kept are those of the tables beside them.
+#[test]
+fn the_recorded_charts_are_drawn_from_the_recorded_tables() {
+    let record = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("data/record");
+    for (folder, charts) in [
+        ("work_precision", &CHARTS[..]),
+        ("atlas", &atlas::CHARTS),
+        ("plan", &plan_map::CHARTS),
+        ("diagnose", &diagnose::CHARTS),
+    ] {
+        let kept = |name: &str| std::fs::read_to_string(record.join(folder).join(name)).ok();
+        let mut seen = 0;
+        for chart in charts {
+            if let Some(svg) = kept(chart.name) {
+                let csv =
+                    kept(chart.table).unwrap_or_else(|| panic!("{folder}/{} is not beside its chart", chart.table));
+                let table = Table::from_reader(chart.table, csv.as_bytes()).unwrap();
+                assert_eq!(
+                    (chart.draw)(&table).unwrap(),
+                    svg,
+                    "data/record/{folder}/{} is of something else",
+                    chart.name
+                );
+                seen += 1;
+            }
+        }
+        assert!(seen > 0, "{folder}");
+    }
+}
+
+#[test]
+fn charts_are_drawn_again_from_their_tables_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let redraw = |flags: &[&str]| {
+        let arguments = [&["chart", "--redraw", "--out", out], flags].concat();
+        Command::new(env!("CARGO_BIN_EXE_chattercheck")).args(arguments).output().unwrap()
+    };
+    let told = redraw(&["--only", "plan"]);
+    assert_eq!(told.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&told.stderr).contains("plan_map.csv"));
+    let record = concat!(env!("CARGO_MANIFEST_DIR"), "/data/record/plan/plan_map.");
+    std::fs::copy(format!("{record}csv"), folder.path().join("plan_map.csv")).unwrap();
+    assert_eq!(redraw(&["--only", "plan"]).status.code(), Some(0));
+    let drawn = std::fs::read(folder.path().join("plan_map.svg")).unwrap();
+    assert_eq!(drawn, std::fs::read(format!("{record}svg")).unwrap());
+    assert_eq!(redraw(&["--peers", "x.csv"]).status.code(), Some(2), "peers are measured, and would be ignored");
 }
 
 #[test]

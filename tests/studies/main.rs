@@ -7,6 +7,7 @@ mod critical;
 mod diagnose;
 mod paper;
 mod paper_claims;
+mod plan_map;
 mod reference;
 
 #[path = "../effort/mod.rs"]

@@ -2,6 +2,7 @@
 
 use contract::{Case, Ending, Invalid, Oracle};
 
+use super::{INTERPOLATION_ERROR, interpolated};
 use crate::measure::asking::ask;
 
 /// `a_cr - 1`, as two neighbouring doubles between which `oracle` sees complete chattering turn into incomplete; the one below and the
@@ -23,7 +24,12 @@ pub fn bracket(oracle: &dyn Oracle, omega: f64, eta: f64) -> Result<Option<(f64,
         })
     };
     let (mut low, mut high) = (0.0, 1.0);
-    if is_complete(high)? != Some(false) {
+    // Where the interpolant knows it nearly, from close around that.
+    let near = interpolated(omega, eta).map(|near| (near - INTERPOLATION_ERROR, near + INTERPOLATION_ERROR)).ok();
+    let around = near.map(|(below, above)| Ok((is_complete(below)?, is_complete(above)?))).transpose()?;
+    if let (Some(near), Some((Some(true), Some(false)))) = (near, around) {
+        (low, high) = near;
+    } else if is_complete(high)? != Some(false) {
         return Ok(None);
     }
     // a_cr - 1 may be small: come down by decades to the first complete case, then bisect.

@@ -41,6 +41,18 @@ pub fn write(out: &Path, files: &BTreeMap<&'static str, String>, charts: &[Chart
     place(out, &all)
 }
 
+/// Draws charts again from the tables that are in a folder already. The paths, one a line.
+///
+/// # Errors
+/// When a table is not there, or a chart can't be drawn or written; nothing is written then.
+pub fn redraw(out: &Path, charts: &[Chart]) -> Result<String, Error> {
+    let drawn = charts.iter().map(|chart| {
+        let table = Table::read(out.join(chart.table))?;
+        Ok((chart.name.to_owned(), (chart.draw)(&table)?))
+    });
+    place(out, &drawn.collect::<Result<_, Error>>()?)
+}
+
 /// Writes files into a folder that exists: beside where they go, and when they are whole to their places. The paths, one a line.
 ///
 /// # Errors

@@ -56,7 +56,7 @@ mod ticks;
 
 pub use axis::{Axis, Scale};
 pub use error::Error;
-pub use files::{Chart, csv_text, place, write};
+pub use files::{Chart, csv_text, place, redraw, write};
 pub use heat::{Cell, HeatMap, HeatPanel};
 pub use lines::{LineChart, Panel};
 pub use mark::Mark;

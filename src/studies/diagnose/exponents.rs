@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
-    spread,
+    Scope, spread,
     truth::{critical_epsilon, proven},
 };
 use asymptotic::{Approach, approach, exponent_of_coefficients};
@@ -48,9 +48,9 @@ pub struct LocalRow {
     pub off: f64,
 }
 
-pub(super) fn measure(omega: f64, done: impl Fn() + Sync) -> Result<Vec<ExponentRow>, Decline> {
-    let etas = [0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.92, 0.95, 0.97];
-    let rows = etas.par_iter().map(|&eta| {
+pub(super) fn measure(scope: &Scope, done: impl Fn() + Sync) -> Result<Vec<ExponentRow>, Decline> {
+    let omega = scope.omega;
+    let rows = scope.exponents.par_iter().map(|&eta| {
         let Approach { exponent, log_period } = approach(eta);
         let critical = critical_epsilon(omega, eta)?;
         let coefficients = exponent_of_coefficients(omega, eta, critical);
@@ -103,26 +103,22 @@ fn stepping(omega: f64, eta: f64, critical: f64, log_period: f64) -> Option<(f64
     }
 }
 
-pub(super) fn local(omega: f64) -> Result<Vec<LocalRow>, Decline> {
-    // Half a step to either side of the place.
-    const STEP: f64 = 0.05;
+pub(super) fn local(scope: &Scope) -> Result<Vec<LocalRow>, Decline> {
+    let Scope { omega, steps, .. } = *scope;
     let mut rows = Vec::new();
-    for eta in [0.5, 0.6, 0.7, 0.92] {
+    for &eta in &scope.local {
         let critical = critical_epsilon(omega, eta)?;
-        let logs: Vec<f64> = spread(-1.0, -8.0, 140).collect();
-        let of_one = logs.par_iter().filter_map(|log| {
-            let at = |log: f64| left(omega, eta, critical, 10.0_f64.powf(log));
-            let exponent = (at(log + 0.5 * STEP)? / at(log - 0.5 * STEP)?).log10() / STEP;
-            Some(LocalRow {
-                eta,
-                omega,
-                to_go: 10.0_f64.powf(*log),
-                left: at(*log)?,
-                exponent,
-                off: (exponent - approach(eta).exponent).abs(),
-            })
-        });
-        rows.extend(of_one.collect::<Vec<_>>());
+        // Half a step apart: each slope is taken from half a step before a place to half a step behind it.
+        let logs: Vec<f64> = spread(-1.0, -8.0, 2 * steps).collect();
+        let at = |log: f64| Some((log, left(omega, eta, critical, 10.0_f64.powf(log))?));
+        let known: Vec<Option<(f64, f64)>> = logs.par_iter().map(|log| at(*log)).collect();
+        let row = |three: &[Option<(f64, f64)>]| {
+            let &[Some((far, before)), Some((log, left)), Some((near, behind))] = three else { return None };
+            let exponent = (before / behind).log10() / (far - near);
+            let off = (exponent - approach(eta).exponent).abs();
+            Some(LocalRow { eta, omega, to_go: 10.0_f64.powf(log), left, exponent, off })
+        };
+        rows.extend(known.windows(3).step_by(2).filter_map(row));
     }
     Ok(rows)
 }

@@ -41,6 +41,26 @@ pub struct Scope {
     pub etas: Vec<f64>,
     /// How many steps each axis of the maps has.
     pub grid: usize,
+    /// The restitutions at which the exponent of the approach is found,
+    pub exponents: Vec<f64>,
+    /// those at which it is followed from place to place,
+    pub local: Vec<f64>,
+    /// and in how many steps.
+    pub steps: usize,
+}
+
+impl Default for Scope {
+    /// The frequency of the paper's figures, and restitutions from the lowest to the highest.
+    fn default() -> Self {
+        Self {
+            omega: 2.0,
+            etas: vec![0.5, 0.8, 0.92, 0.97],
+            grid: 16,
+            exponents: vec![0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.92, 0.95, 0.97],
+            local: vec![0.5, 0.6, 0.7, 0.92],
+            steps: 140,
+        }
+    }
 }
 
 /// The tables, one for each file.
@@ -67,15 +87,15 @@ impl Tables {
     ///
     /// # Errors
     /// When a frequency or a restitution is outside of what the series or the critical amplitude can do.
-    pub fn measure(request: &Scope, done: impl Fn() + Sync) -> Result<Self, Decline> {
-        let Scope { omega, etas, grid } = request;
+    pub fn measure(scope: &Scope, done: impl Fn() + Sync) -> Result<Self, Decline> {
+        let Scope { omega, etas, grid, .. } = scope;
         let expansions = expansions(*omega, etas, &done)?;
         Ok(Self {
             errors: errors::measure(&expansions, &done)?,
             coefficients: coefficients::measure(&expansions)?,
             truncation: truncation::measure(&expansions)?,
-            exponents: exponents::measure(*omega, &done)?,
-            local_exponents: exponents::local(*omega)?,
+            exponents: exponents::measure(scope, &done)?,
+            local_exponents: exponents::local(scope)?,
             first_error: first_error::measure(*grid, &done)?,
             fits: fits::measure(*grid)?,
         })

@@ -10,7 +10,7 @@ use crate::{
     studies::{
         diagnose::{
             spread,
-            truth::{proven, stepped},
+            truth::{FEW_DIGITS, proven, proven_to, stepped},
         },
         paper::{
             Error, half_period,
@@ -38,8 +38,16 @@ const ETAS: [f64; 5] = [0.5, 0.7, 0.8, 0.92, 0.97];
 
 /// The proven chattering time over half a period.
 fn share(epsilon: f64, omega: f64, eta: f64) -> Result<f64, Error> {
-    let time = proven(epsilon, omega, eta)
-        .ok_or_else(|| missing(format!("tau_ch at epsilon = {epsilon}, omega = {omega}")))?;
+    of_half_period(proven(epsilon, omega, eta), epsilon, omega)
+}
+
+/// The same to the digits that are printed, and some more.
+fn share_to_digits(epsilon: f64, omega: f64, eta: f64) -> Result<f64, Error> {
+    of_half_period(proven_to(FEW_DIGITS, epsilon, omega, eta), epsilon, omega)
+}
+
+fn of_half_period(time: Option<f64>, epsilon: f64, omega: f64) -> Result<f64, Error> {
+    let time = time.ok_or_else(|| missing(format!("tau_ch at epsilon = {epsilon}, omega = {omega}")))?;
     Ok(time / half_period(omega))
 }
 
@@ -47,7 +55,7 @@ fn within_half_period() -> Result<Measured, Error> {
     let (mut later, mut longest) = (0, 0.0_f64);
     for (omega, eta) in [0.5, 2.0, 8.0].into_iter().flat_map(|omega| ETAS.map(|eta| (omega, eta))) {
         for gap in [1e-2, 1e-4, 1e-6] {
-            let share = share(interpolated(omega, eta)? * (1.0 - gap), omega, eta)?;
+            let share = share_to_digits(interpolated(omega, eta)? * (1.0 - gap), omega, eta)?;
             longest = longest.max(share);
             later += usize::from(share >= 1.0);
         }
@@ -74,7 +82,8 @@ fn stops_above_critical() -> Result<Measured, Error> {
         if answer.observed().is_none_or(|observed| observed.history.ending != Ending::AtRest) {
             return Ok(None);
         }
-        let proven = enclosure::Enclosure::new(Model::Linear).enclose(&case.with_max_impacts(1)?)?;
+        let enclosure = enclosure::Enclosure::new(Model::Linear).with_digits(FEW_DIGITS)?;
+        let proven = enclosure.enclose(&case.with_max_impacts(1)?)?;
         Ok(proven.chattering_time.map(|time| time.lower() / half_period(OMEGA)))
     });
     let rests: Vec<f64> = rests.collect::<Result<Vec<_>, Error>>()?.into_iter().flatten().collect();
@@ -117,11 +126,11 @@ fn increase() -> Result<Measured, Error> {
     Ok(Measured::new(falls as f64, if falls == 0 { found } else { format!("it falls in {falls} of {all} steps") }))
 }
 
-/// The relative error of Eq. 65 at a share of the way from the threshold to the critical amplitude, with its sign.
-fn error(share_of_way: f64, eta: f64) -> Result<f64, Error> {
-    let epsilon = share_of_way * interpolated(OMEGA, eta)?;
-    let sums = asymptotic::coefficients(eta).ok_or_else(|| missing("the sums of Eq. 65"))?;
-    let exact = share(epsilon, OMEGA, eta)? * half_period(OMEGA);
+/// The relative error of Eq. 65 at a share of the way from the threshold to the critical amplitude, with its sign, against `truth`.
+fn error(share_of_way: f64, truth: impl Fn(f64, f64, f64) -> Result<f64, Error>) -> Result<f64, Error> {
+    let epsilon = share_of_way * interpolated(OMEGA, ETA)?;
+    let sums = asymptotic::coefficients(ETA).ok_or_else(|| missing("the sums of Eq. 65"))?;
+    let exact = truth(epsilon, OMEGA, ETA)? * half_period(OMEGA);
     Ok(sums.chattering_time(epsilon, OMEGA) / exact - 1.0)
 }
 
@@ -130,7 +139,7 @@ fn exceeded(bound: f64) -> Result<f64, Error> {
     let (mut low, mut high) = (0.6, 0.9999);
     for _ in 0..30 {
         let middle = 0.5 * (low + high);
-        if error(middle, ETA)?.abs() > bound { high = middle } else { low = middle }
+        if error(middle, share_to_digits)?.abs() > bound { high = middle } else { low = middle }
     }
     Ok(1.0 + high * interpolated(OMEGA, ETA)?)
 }
@@ -138,7 +147,7 @@ fn exceeded(bound: f64) -> Result<f64, Error> {
 /// The largest error up to a share of the way.
 fn largest_error(to: f64) -> Result<f64, Error> {
     let shares: Vec<f64> = spread(0.01, to, 60).collect();
-    let errors: Vec<f64> = shares.par_iter().map(|share| error(*share, ETA)).collect::<Result<_, _>>()?;
+    let errors: Vec<f64> = shares.par_iter().map(|share| error(*share, share_to_digits)).collect::<Result<_, _>>()?;
     Ok(errors.into_iter().fold(0.0, |most, error| most.max(error.abs())))
 }
 
@@ -155,9 +164,9 @@ fn agreement() -> Result<Measured, Error> {
 }
 
 fn at_the_threshold() -> Result<Measured, Error> {
-    let slope = at_zero(|epsilon| Ok(error(epsilon / interpolated(OMEGA, ETA)?, ETA)? / epsilon), 1e-5)?;
+    let slope = at_zero(|epsilon| Ok(error(epsilon / interpolated(OMEGA, ETA)?, share)? / epsilon), 1e-5)?;
     let found = format!("its relative error tends to {slope:.3} (a − 1) at η = 0.92, ω = 2");
-    Ok(Measured::new(error(0.01, ETA)?.abs(), found))
+    Ok(Measured::new(error(0.01, share)?.abs(), found))
 }
 
 fn throughout() -> Result<Measured, Error> {

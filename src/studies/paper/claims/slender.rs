@@ -3,7 +3,10 @@
 use contract::{Case, Ending, Model, Normalisation, Oracle as _, Slenderness};
 
 use super::{Measured, Measurement};
-use crate::studies::paper::{Error, limits::order, missing};
+use crate::studies::{
+    diagnose::truth::FEW_DIGITS,
+    paper::{Error, limits::order, missing},
+};
 
 pub(super) const ALL: &[Measurement] = &[
     ("eq-1", threshold),
@@ -21,11 +24,13 @@ const EPSILON: f64 = 0.03;
 /// The smallest amplitude over `g α` at which a block of this slenderness rocks, by bisection.
 fn least_amplitude(alpha: f64) -> Result<f64, Error> {
     let slenderness = Slenderness::new(alpha, Normalisation::Slender)?;
+    // Whether it rocks, not when it rests.
+    let enclosure = enclosure::Enclosure::new(Model::Nonlinear).with_digits(FEW_DIGITS)?;
     let (mut low, mut high) = (0.5, 4.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         let case = Case::from_amplitude(middle, OMEGA, ETA)?.with_slenderness(slenderness).with_max_impacts(1)?;
-        let history = enclosure::Enclosure::new(Model::Nonlinear).history(&case)?;
+        let history = enclosure.history(&case)?;
         if history.ending == Ending::NeverRocks { low = middle } else { high = middle }
     }
     Ok(high)
