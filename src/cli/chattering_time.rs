@@ -1,6 +1,6 @@
 use anyhow::{anyhow, bail};
 use chattercheck::{
-    measure::observables::Observed,
+    measure::{excitation::half_period, observables::Observed},
     motion::plan::{Outcome, Plan, Question},
     panel::{self, Method, Proven, Refused, Role},
 };
@@ -138,7 +138,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         lower: None,
         upper: None,
         seconds: None,
-        half_period_fraction: time.map(|time| time.value * question.case.omega() / std::f64::consts::PI),
+        half_period_fraction: time.map(|time| time.value / half_period(question.case.omega())),
         impacts: found.attempts.last().map_or(0, |attempt| attempt.impacts),
         oracle: &method,
         method: time.map(|_| "the cheapest method that meets the tolerance"),
@@ -204,7 +204,7 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         lower: None,
         upper: None,
         seconds: None,
-        half_period_fraction: time.map(|time| time.value * case.omega() / std::f64::consts::PI),
+        half_period_fraction: time.map(|time| time.value / half_period(case.omega())),
         impacts: history.impacts.len(),
         oracle,
         method: time.map(|_| match history.chattering_time {

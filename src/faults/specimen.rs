@@ -9,10 +9,9 @@
 mod flight;
 mod forcing;
 
-use std::f64::consts::PI;
-
 use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty};
 
+use crate::measure::{clock::Sum, excitation::half_period};
 use flight::{Flight, Landfall};
 use forcing::Excitation;
 
@@ -79,7 +78,7 @@ pub fn history(case: &Case, wrong: &Wrong, honest: &History) -> History {
 fn follow(case: &Case, wrong: &Wrong, honest: &History) -> (Vec<Impact>, Ending) {
     let excitation = Excitation::new(case, wrong);
     let (horizon, beyond) = match case.horizon() {
-        Horizon::HalfPeriod => (PI / case.omega(), Ending::Incomplete),
+        Horizon::HalfPeriod => (half_period(case.omega()), Ending::Incomplete),
         Horizon::Until(time) => (time, Ending::LimitReached(Limit::Time)),
     };
     let mut impacts: Vec<Impact> = Vec::new();
@@ -121,29 +120,5 @@ fn follow(case: &Case, wrong: &Wrong, honest: &History) -> (Vec<Impact>, Ending)
         if impacts.len() >= case.max_impacts() || departure < 1e-280 {
             return (impacts, if resting { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) });
         }
-    }
-}
-
-/// A sum whose rounding error is kept.
-#[derive(Debug, Clone, Copy, Default)]
-struct Sum {
-    high: f64,
-    low: f64,
-}
-
-impl Sum {
-    fn value(self) -> f64 {
-        self.high + self.low
-    }
-
-    fn plus(self, x: f64) -> Self {
-        let high = self.high + x;
-        let part = high - self.high;
-        Self { high, low: self.low + ((self.high - (high - part)) + (x - part)) }
-    }
-
-    fn times(self, factor: f64) -> Self {
-        let high = self.high * factor;
-        Self { high, low: self.high.mul_add(factor, -high) + self.low * factor }
     }
 }

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use contract::{Case, Ending, Horizon, Limit, Loss};
+use contract::{Case, Ending, Limit, Loss};
 use serde::{Deserialize, Serialize};
 
 use crate::{
     gate::tolerance,
     measure::{
         conditioning::Conditioning,
+        excitation::horizon,
         model_gap::ModelGap,
         observables::{Observable, Observed},
     },
@@ -257,14 +258,6 @@ fn kind(ending: Ending) -> Kind {
         Ending::Incomplete | Ending::Overturned | Ending::LimitReached(Limit::Time) => Kind::Rocking,
         Ending::LimitReached(Limit::Impacts) => Kind::Unknown,
         Ending::Lost(Loss::FellThrough | Loss::Stalled | Loss::NotFinite | Loss::SolverFailed) => Kind::Unknown,
-    }
-}
-
-/// The end of the time that a case is followed.
-pub(crate) fn horizon(case: &Case) -> f64 {
-    match case.horizon() {
-        Horizon::HalfPeriod => std::f64::consts::PI / case.omega(),
-        Horizon::Until(time) => time,
     }
 }
 

@@ -4,11 +4,11 @@
 use contract::{Case, Ending, Horizon, Limit, Oracle};
 
 use crate::{
-    gate::{
-        compare::horizon,
-        laws::{Breach, Law},
+    gate::laws::{Breach, Law},
+    measure::{
+        asking::{Answer, ask},
+        excitation::{half_period, horizon},
     },
-    measure::asking::{Answer, ask},
 };
 
 /// How many times more impacts an oracle is asked for that says that the block comes to rest.
@@ -28,7 +28,7 @@ pub fn breach(panel: &[&dyn Oracle], case: &Case, answers: &[Answer], place: usi
         Ending::Overturned => {
             let rocks = |ending| matches!(ending, Ending::Incomplete | Ending::LimitReached(Limit::Time));
             let other = ending_of_another(answers, answer, rocks)?;
-            let later = Horizon::Until(horizon(case) + 2.0 * std::f64::consts::PI / case.omega());
+            let later = Horizon::Until(horizon(case) + 2.0 * half_period(case.omega()));
             let followed = ask(*panel.get(other)?, &case.with_horizon(later).ok()?);
             let landed = followed.observed()?.history.impacts.get(history.impacts.len())?;
             let how = format!("but {} finds another impact at {:?}", followed.oracle, landed.time);

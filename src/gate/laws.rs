@@ -5,7 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     gate::{compare::Figure, tolerance},
-    measure::observables::{Observable, Observed},
+    measure::{
+        excitation::Excitation,
+        observables::{Observable, Observed},
+    },
 };
 
 /// A law.
@@ -156,9 +159,9 @@ fn interval_ratio(case: &Case, observed: &Observed, n: usize) -> Option<Figure> 
     let second = impacts.get(n.checked_sub(2)?)?.interval;
     // The first of the three flights starts at impact n - 3, where initiation is impact 0.
     let start = n.checked_sub(4).map_or(Some(0.0), |index| Some(impacts.get(index)?.time))?;
-    let (omega, epsilon, eta) = (case.omega(), case.epsilon(), case.eta());
+    let (omega, eta) = (case.omega(), case.eta());
     // f = cos x + q sin x with x = ωτ, q = a cos ψ; 1 ± f without the cancellation at x = 0 and x = π
-    let quadrature = (epsilon * (2.0 + epsilon)).sqrt();
+    let quadrature = Excitation::new(case).quadrature();
     let (sin, cos) = (omega * start).sin_cos();
     let (half_sin, half_cos) = (0.5 * omega * start).sin_cos();
     let rate = omega * (quadrature * cos - sin);

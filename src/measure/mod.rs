@@ -1,8 +1,10 @@
 //! A history becomes numbers: asking an oracle, what is observed, the sum of infinitely many intervals, and how much each number may move.
 
 pub mod asking;
+pub mod clock;
 pub mod conditioning;
 pub mod critical;
+pub mod excitation;
 pub mod model_gap;
 pub mod observables;
 pub mod zeno;

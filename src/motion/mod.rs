@@ -4,3 +4,4 @@ pub mod linearisation;
 pub mod plan;
 pub mod response;
 pub mod scene;
+pub mod walk;

@@ -1,9 +1,10 @@
 //! One flight of the specimen.
 
 use super::{
-    Sum, Wrong,
+    Wrong,
     forcing::{Excitation, Pull},
 };
+use crate::measure::clock::Sum;
 
 /// How many terms of the Taylor series are summed.
 const TERMS: usize = 26;
@@ -40,7 +41,7 @@ impl Landing {
     pub(super) fn speed(&self, departure: Sum) -> Sum {
         match self.loss {
             Some(loss) => departure.plus(-loss),
-            None => Sum { high: self.speed, low: 0.0 },
+            None => Sum::at(self.speed),
         }
     }
 }

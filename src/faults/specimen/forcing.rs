@@ -2,7 +2,8 @@
 
 use contract::Case;
 
-use super::{Sum, Wrong};
+use super::Wrong;
+use crate::measure::clock::Sum;
 
 /// `f = a sin(ωτ + ψ)` as `cos ωτ + q sin ωτ`, `q = a cos ψ` (Eq. 24), and the faults in it.
 pub(super) struct Excitation {

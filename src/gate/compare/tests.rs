@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{measure::asking::ask, panel};
-use contract::{Estimate, History, Impact, Model, Normalisation, Sensitivity, Slenderness, Uncertainty};
+use contract::{Estimate, History, Horizon, Impact, Model, Normalisation, Sensitivity, Slenderness, Uncertainty};
 
 fn case() -> Case {
     let case = Case::from_epsilon(0.5, 2.0, 0.5).and_then(|case| case.with_horizon(Horizon::Until(4.0)));

@@ -3,7 +3,7 @@
 use contract::{Case, Decline, Ending, Estimate, History, Horizon, Limit, Model, Oracle};
 
 use super::{LARGEST_RATIO, Linearisation, Shift, threshold::refused};
-use crate::gate::compare::horizon;
+use crate::measure::excitation::{half_period, horizon};
 
 /// The linear model with the first-order effect of the slenderness: between the two models, with an error that falls as `α⁴`.
 ///
@@ -38,7 +38,7 @@ impl Oracle for Corrected {
         let past = case.with_horizon(Horizon::Until(end * (1.0 + PAST))).map_err(refused)?;
         let linearisation = Linearisation::new(self.stepper.as_ref(), &past)?;
         let complete = linearisation.linear.history.ending == Ending::AtRest;
-        if !complete && end > std::f64::consts::PI / case.omega() {
+        if !complete && end > half_period(case.omega()) {
             // There a flight may miss the base by a hair in one model and touch it in the other, which no derivative tells.
             return Err(Decline::Unsupported { what: "incomplete chattering past half a period" });
         }

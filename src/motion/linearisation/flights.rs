@@ -15,6 +15,7 @@
 use contract::{Arrival, Case, Decline, Departure, FlightSolver, Ground, Loss, Oracle};
 
 use super::{parameter, threshold};
+use crate::measure::excitation::Excitation;
 
 /// The nodes in (0, 1) and the weights of a rule of Gauss and Legendre.
 type Rule = &'static [(f64, f64)];
@@ -59,9 +60,7 @@ const LARGEST_SHIFT: f64 = 0.25;
 /// The flights of one case.
 pub struct Flights {
     linear: Box<dyn FlightSolver>,
-    omega: f64,
-    /// `a cos ψ = sqrt(ε(2 + ε))`.
-    q: f64,
+    excitation: Excitation,
     mu: f64,
     /// `sin α/α`.
     scale: f64,
@@ -75,11 +74,10 @@ impl Flights {
     pub fn new(stepper: &dyn Oracle, case: &Case) -> Result<Self, Decline> {
         let slenderness = case.slenderness().ok_or(Decline::NeedsSlenderness)?;
         let (linear, _) = threshold::of(case, slenderness)?;
-        let (alpha, epsilon) = (slenderness.alpha(), linear.epsilon());
+        let alpha = slenderness.alpha();
         Ok(Self {
             linear: stepper.flights(&linear)?,
-            omega: case.omega(),
-            q: (epsilon * (2.0 + epsilon)).sqrt(),
+            excitation: Excitation::new(&linear),
             mu: parameter(alpha),
             scale: alpha.sin() / alpha,
         })
@@ -94,17 +92,14 @@ impl Flights {
     /// `G` a time `s` after the departure.
     fn gravity(&self, departure: &Departure, s: f64) -> f64 {
         match departure.ground {
-            Ground::Shaking => {
-                let (sin, cos) = (self.omega * (departure.time + s)).sin_cos();
-                1.0 + departure.side * (self.q * sin + cos)
-            }
+            Ground::Shaking => 1.0 + departure.side * self.excitation.at(departure.time + s),
             Ground::Still => 1.0,
         }
     }
 
     /// `w₁` and `w₁'` a time `stretch` after the departure of the slender block.
     fn left_out(&self, departure: &Departure, stretch: f64) -> (f64, f64) {
-        let length = stretch * self.omega.max(1.0);
+        let length = stretch * self.excitation.omega().max(1.0);
         let rule = if length <= SHORT.0 {
             SHORT.1
         } else if length <= MIDDLE.0 {

@@ -1,8 +1,11 @@
 //! Flights one after another, no more of them than the sum needs to be closed as well as asked.
 
-use contract::{Arrival, Case, Departure, Ending, Estimate, FlightSolver, Ground, History, Impact, Uncertainty};
+use contract::{Arrival, Case, Ending, Estimate, FlightSolver, History, Impact, Uncertainty};
 
-use crate::measure::zeno;
+use crate::{
+    measure::{excitation::half_period, zeno},
+    motion::walk::Walk,
+};
 
 /// The fewest impacts that a sum is closed from.
 const FEWEST: usize = 8;
@@ -29,29 +32,19 @@ pub enum Found {
 /// Steps from the threshold until the sum can be closed to the relative error `accuracy`. Unless it is known that the chattering is complete, rest has to be
 /// proven too.
 pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complete: bool) -> Found {
-    let half_period = std::f64::consts::PI / case.omega();
-    let mut departure = Departure { ground: Ground::Shaking, time: 0.0, side: -1.0, rotation: 0.0, velocity: 0.0 };
+    let half_period = half_period(case.omega());
+    let mut walk = Walk::from_rest(solver, case.eta(), 0.0, f64::INFINITY, half_period);
     let mut history = History { impacts: Vec::with_capacity(64), ending: Ending::AtRest, chattering_time: None };
-    let mut low = 0.0;
     while history.impacts.len() < MOST {
-        let left = half_period - departure.time;
-        let (interval, speed) = match solver.fly(&departure, left) {
-            Arrival::Impact { interval, speed } => (interval, speed),
-            Arrival::Aloft { .. } => return Found::Incomplete(history.impacts.len()),
-            Arrival::Overturned { .. } => return Found::Overturned(history.impacts.len()),
-            Arrival::Lost(_) => break,
+        let interval = match walk.fly().map(|flight| flight.arrival) {
+            Some(Arrival::Impact { interval, .. }) => interval,
+            Some(Arrival::Aloft { .. }) | None => return Found::Incomplete(history.impacts.len()),
+            Some(Arrival::Overturned { .. }) => return Found::Overturned(history.impacts.len()),
+            Some(Arrival::Lost(_)) => break,
         };
-        // Neumaier's sum: the intervals are soon far below the time.
-        let high = departure.time + interval;
-        low += if departure.time >= interval {
-            (departure.time - high) + interval
-        } else {
-            (interval - high) + departure.time
-        };
-        let velocity = case.eta() * speed;
-        departure = Departure { time: high, side: -departure.side, velocity, ..departure };
-        let uncertainty = Uncertainty { time: f64::EPSILON * high, interval: ROUNDING, velocity: ROUNDING };
-        history.impacts.push(Impact { time: high + low, interval, velocity: departure.side * velocity, uncertainty });
+        let (time, departure) = (walk.now(), walk.departure());
+        let uncertainty = Uncertainty { time: f64::EPSILON * time, interval: ROUNDING, velocity: ROUNDING };
+        history.impacts.push(Impact { time, interval, velocity: departure.side * departure.velocity, uncertainty });
         let count = history.impacts.len();
         if count < FEWEST || !count.is_multiple_of(STEP) || !(known_complete || solver.rests(&departure)) {
             continue;
@@ -60,7 +53,7 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
             return Found::Complete(sum, count);
         }
         // Deeper there is nothing that a sum could use.
-        if interval < 1e-14 * accuracy * high {
+        if interval < 1e-14 * accuracy * time {
             break;
         }
     }

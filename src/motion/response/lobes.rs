@@ -1,18 +1,18 @@
 //! When the ground acceleration of a sinusoid passes the threshold of rocking: once in each half period, to one side and the other by turns.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use contract::Case;
+
+use crate::measure::excitation::Excitation;
 
 /// The moments at which the ground acceleration reaches the threshold, growing: the initiations of a block that rests there.
 ///
 /// Counted in half periods from such a moment on the ground motion is always the same but for its sign, so everything that starts there from rest is
-/// one case and its mirror image.
+/// one case and its mirror image. A motion that stays below the threshold has its peaks in their place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lobes {
-    /// `a cos ψ = sqrt(ε(2 + ε))` (Eq. 24).
-    cosine: f64,
-    omega: f64,
+    excitation: Excitation,
     /// The last such moment that is not after `τ = 0`.
     first: f64,
     /// Whether the ground then accelerates to the negative side.
@@ -28,26 +28,29 @@ pub struct Lobe {
     pub mirror: f64,
 }
 
+impl Lobe {
+    /// The time from its start to `tau`, such that its start and that together are `tau` to the last digit where doubles can do that, and never before it.
+    pub(super) fn since(&self, tau: f64) -> f64 {
+        let since = tau - self.start;
+        let exact = [since, since.next_up(), since.next_down()].into_iter().find(|since| self.start + since == tau);
+        exact.unwrap_or_else(|| if self.start + since < tau { since.next_up() } else { since })
+    }
+}
+
 impl Lobes {
-    /// Those of `a sin(ωτ + phase)`, with `a = 1 + ε` above the threshold; without a phase the first is at `τ = 0`.
+    /// Those of `a sin(ωτ + phase)`; without a phase the first is at `τ = 0`.
     pub fn new(case: &Case, phase: Option<f64>) -> Self {
-        let (epsilon, omega) = (case.epsilon(), case.omega());
-        let cosine = (epsilon * (2.0 + epsilon)).max(0.0).sqrt();
-        let Some(phase) = phase else { return Self { cosine, omega, first: 0.0, mirrored: false } };
-        // sin ψ = 1/a and a cos ψ = cosine: ψ = π/2 - atan(cosine).
-        let past = phase - (FRAC_PI_2 - cosine.atan());
+        let excitation = Excitation::new(case);
+        let Some(phase) = phase else { return Self { excitation, first: 0.0, mirrored: false } };
+        let past = phase - excitation.phase();
         let turns = (past / PI).floor();
-        Self { cosine, omega, first: -(past - turns * PI) / omega, mirrored: turns.rem_euclid(2.0) != 0.0 }
+        let first = -(past - turns * PI) / case.omega();
+        Self { excitation, first, mirrored: turns.rem_euclid(2.0) != 0.0 }
     }
 
     /// Half a period of the excitation, `T/2 = π/ω`.
     pub fn half_period(&self) -> f64 {
-        PI / self.omega
-    }
-
-    /// How long the ground acceleration stays above the threshold, each time.
-    fn above(&self) -> f64 {
-        2.0 * self.cosine.atan() / self.omega
+        self.excitation.half_period()
     }
 
     /// Lobe `k`; number 0 is the one that is in force at `τ = 0`.
@@ -61,13 +64,17 @@ impl Lobes {
         let k = ((tau - self.first) / self.half_period()).floor();
         let lobe = self.lobe(k);
         let since = tau - lobe.start;
-        if since < self.above() { (lobe, tau.max(lobe.start)) } else { (self.lobe(k + 1.0), self.lobe(k + 1.0).start) }
+        if since < self.excitation.above_threshold() {
+            (lobe, tau.max(lobe.start))
+        } else {
+            (self.lobe(k + 1.0), self.lobe(k + 1.0).start)
+        }
     }
 
-    /// The ground acceleration at `tau`, in multiples of the threshold: `cos x + sin x sqrt(ε(2 + ε))` with `x` the phase since a lobe's start.
+    /// The ground acceleration at `tau`, in multiples of the threshold: `a sin(ωτ + phase)`.
     pub fn acceleration(&self, tau: f64) -> f64 {
-        let (sin, cos) = (self.omega * (tau - self.first)).sin_cos();
-        (if self.mirrored { -1.0 } else { 1.0 }) * (cos + self.cosine * sin)
+        let acceleration = self.excitation.at(tau - self.first);
+        if self.mirrored { -acceleration } else { acceleration }
     }
 }
 
@@ -96,6 +103,27 @@ mod tests {
             } else {
                 prop_assert!(lobe.mirror * f(tau) > 1.0 - 1e-11);
             }
+        }
+    }
+
+    proptest! {
+        /// Below the threshold as well, where nothing rocks: the ground moves all the same.
+        #[test]
+        fn a_motion_below_the_threshold_is_the_sinusoid(a in 0.0..1.0f64, omega in 0.3..8.0f64, phase in -20.0..20.0f64, tau in 0.0..30.0f64) {
+            let case = Case::from_amplitude(a, omega, 0.9).unwrap();
+            let lobes = Lobes::new(&case, Some(phase));
+            prop_assert!((lobes.acceleration(tau) - a * (omega * tau + phase).sin()).abs() < 1e-11);
+            // Without a phase it starts as near to the threshold as it comes, as does one above it.
+            prop_assert!((Lobes::new(&case, None).acceleration(tau) - a * (omega * tau).cos()).abs() < 1e-11);
+        }
+
+        /// A start in the middle of a lobe is that very time.
+        #[test]
+        fn a_time_in_a_lobe_adds_up(start in -3.0..30.0f64, share in 0.0..1.0f64) {
+            let lobe = Lobe { start, mirror: 1.0 };
+            let tau = start.max(0.0) + share;
+            let sum = start + lobe.since(tau);
+            prop_assert!(sum >= tau && sum - tau <= 1e-15);
         }
     }
 

@@ -4,15 +4,18 @@
 //! The response is made of flights, which a [`FlightSolver`](contract::FlightSolver) follows one at a time: `closed-form` for Eq. 4, `taylor` for
 //! Eq. 2. Chattering is closed as an infinite sum unless one of the schemes of Section 5.2 is asked for.
 
+mod fall;
 mod lobes;
 mod run;
 mod sample;
+mod tail;
 mod termination;
 
 use std::sync::Arc;
 
-use contract::{Arrival, Case, Decline, Departure, Invalid, Loss, Oracle};
+use contract::{Arrival, Case, Decline, Invalid, Loss, Oracle};
 
+pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
 pub use sample::{Sample, State, Window};
 pub use termination::{Condition, Termination};
@@ -29,6 +32,9 @@ pub struct Request {
     pub lasts: Option<f64>,
     /// When the response ends at the latest; infinite for once nothing can happen any more.
     pub until: f64,
+    /// The rotation `φ` at which the block lies on its side, `π/(2α)`, and the response ends; `None` where the slenderness is not known. There the
+    /// response of a block that overturns ends where it passes its corner for good, `|φ| = 1`.
+    pub lies_at: Option<f64>,
     /// How chattering is ended.
     pub termination: Termination,
     /// How many impacts are followed at the most.
@@ -44,6 +50,8 @@ pub struct Response {
     pub lasts: Option<f64>,
     /// The times of rocking, in order.
     pub bouts: Vec<Bout>,
+    /// The rotation at which the block lies on its side in the end, if it does.
+    pub lying: Option<f64>,
     /// When the response ends.
     pub end: f64,
 }
@@ -62,19 +70,9 @@ pub struct Bout {
     pub flights: Arc<Vec<Flight>>,
     /// Why it ends.
     pub outcome: BoutEnd,
-}
-
-/// One flight of a bout.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Flight {
-    /// When it starts.
-    pub start: f64,
-    /// How long it lasts.
-    pub duration: f64,
-    /// How it starts.
-    pub departure: Departure,
-    /// How it ends; in the air where the ground comes to rest, or the response ends.
-    pub arrival: Arrival,
+    /// What rounding may have done to when it ends, absolute in `τ`: what a change of the parameters by a few roundings does. Infinite where it then ends in
+    /// another way, or with another number of impacts: all that is said of it and of what follows is as good as a guess.
+    pub conditioning: f64,
 }
 
 /// Why a bout ends.
@@ -89,7 +87,8 @@ pub enum BoutEnd {
     VelocityThreshold,
     /// With rest, by the chattering threshold.
     ChatteringThreshold,
-    /// With overturning.
+    /// With overturning: the block lies on its side, or where its slenderness is not known, has passed its corner for good; or it is certain to, and the
+    /// response ends before.
     Overturned,
     /// With the end of the response, while it rocks.
     Cut,
@@ -133,7 +132,33 @@ impl Bout {
     /// When the block hits its base, as far as the impacts are resolved, since the start of the motion.
     pub fn impact_times(&self) -> impl Iterator<Item = f64> {
         let hits = self.flights.iter().filter(|flight| matches!(flight.arrival, Arrival::Impact { .. }));
-        hits.map(|flight| self.lobe.start + (flight.start + flight.duration))
+        hits.map(|flight| self.lobe.start + flight.end)
+    }
+
+    /// How far off the time of its end may be, absolute in `τ`.
+    pub fn uncertainty(&self) -> f64 {
+        match self.outcome {
+            BoutEnd::Complete { uncertainty } => uncertainty,
+            _ => self.conditioning,
+        }
+    }
+
+    /// Whether so little is known of its end that its time is not to be relied on.
+    pub fn is_unsure(&self) -> bool {
+        // Not `>`: what is not a number is not known.
+        !(self.uncertainty() <= SURE * (self.duration - self.start))
+    }
+
+    /// The name of its end in reports: `unsure` where it is not known well enough to be called by its name.
+    pub fn ending(&self) -> &'static str {
+        if self.is_unsure() { "unsure" } else { self.outcome.name() }
+    }
+
+    /// Whether another bout goes the same way: it ends as this one does, with as many impacts; where it ends with an accumulation, about as many are resolved.
+    fn is_like(&self, other: &Self) -> bool {
+        let apart = self.impacts().abs_diff(other.impacts());
+        let most = if self.outcome.is_rest() { ALIKE } else { 0 };
+        self.outcome.name() == other.outcome.name() && apart <= most
     }
 
     /// How many impacts are resolved.
@@ -150,9 +175,9 @@ impl Response {
     pub fn new(oracle: &dyn Oracle, request: &Request) -> Result<Self, Decline> {
         if request.case.epsilon() <= 0.0 {
             // Below the threshold nothing ever happens.
-            let end = if request.until.is_finite() { request.until } else { request.lasts.unwrap_or(0.0) };
+            let end = request.lasts.unwrap_or(f64::INFINITY).min(request.until);
             let lobes = Lobes::new(&request.case, request.phase);
-            return Ok(Self { lobes, lasts: request.lasts, bouts: Vec::new(), end });
+            return Ok(Self { lobes, lasts: request.lasts, bouts: Vec::new(), lying: None, end });
         }
         let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
         // What rounding does in all flights before a rest is what moving the parameters by about a rounding does.
@@ -162,12 +187,16 @@ impl Response {
         Ok(response.with_conditioning(&other))
     }
 
-    /// Adds to the uncertainty of each rest how far `other`, which differs by rounding, is from it.
+    /// Adds how far `other` is from it, which differs by rounding; once the two have parted, nothing that follows is known.
     fn with_conditioning(mut self, other: &Self) -> Self {
+        let mut parted = false;
         for (k, bout) in self.bouts.iter_mut().enumerate() {
+            let same = other.bouts.get(k).filter(|other| other.is_like(bout));
+            parted |= same.is_none();
+            let moved = same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs());
+            bout.conditioning = if parted { f64::INFINITY } else { moved };
             if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
-                let same = other.bouts.get(k).filter(|other| matches!(other.outcome, BoutEnd::Complete { .. }));
-                *uncertainty += same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs());
+                *uncertainty += bout.conditioning;
             }
         }
         self
@@ -185,6 +214,10 @@ impl Response {
 
 /// No motion is followed for longer.
 const MOST_CYCLES: f64 = 1e4;
+/// The end of a bout is known if its time is, to this share of how long it lasts.
+const SURE: f64 = 1e-3;
+/// By how many impacts two bouts may differ that end with infinitely many, or with a speed.
+const ALIKE: usize = 4;
 /// What multiple of the change is claimed: rounding of every flight may add up to more than one change of the parameters shows.
 const MARGIN: f64 = 4.0;
 
@@ -218,6 +251,8 @@ impl Request {
             let (field, value) = lasts.map_or(("until", until), |lasts| ("duration", lasts));
             return Err(Invalid::new(field, format!("{value:?}"), "up to 10000 cycles of the ground motion (in τ)"));
         }
-        Ok(Self { case, phase: None, lasts, until, termination: Termination::Exact, most_impacts: Self::MOST_IMPACTS })
+        let lies_at = case.slenderness().map(|slenderness| std::f64::consts::FRAC_PI_2 / slenderness.alpha());
+        let most_impacts = Self::MOST_IMPACTS;
+        Ok(Self { case, phase: None, lasts, until, lies_at, termination: Termination::Exact, most_impacts })
     }
 }

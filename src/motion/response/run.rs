@@ -1,25 +1,17 @@
-//! The loop of events: rest until the threshold, flights and impacts, rest again.
+//! From rest to rest: the block waits for the threshold, rocks, and comes to rest again or falls.
 
 use std::sync::Arc;
 
-use contract::{Arrival, Departure, Estimate, FlightSolver, Ground, History, Impact, Uncertainty};
+use contract::{Arrival, Departure, Estimate, FlightSolver, Ground};
 
-use super::{Bout, BoutEnd, Flight, Request, Response, lobes::Lobe, lobes::Lobes, termination::Rule};
-use crate::measure::zeno;
-
-/// A sum is closed once its error is at most this, relative to the time since the threshold.
-const ACCURACY: f64 = 1e-13;
-/// Impacts are resolved until what is left to the accumulation is this share of the time since the threshold: less is not seen in any picture.
-const RESOLVED: f64 = 1e-9;
-/// Or until so many have followed since it has been certain that the block comes to rest: more do not help.
-const MOST_CERTAIN_IMPACTS: usize = 2000;
-/// In what steps, and in how many, an overturning block is followed to where it falls.
-const FALLING_STEP: f64 = 0.05;
-const MOST_FALLING_STEPS: usize = 1000;
-/// Impacts that closing a sum can use.
-const USEFUL_IMPACTS: usize = 64;
-/// What a flight solver leaves of rounding in each interval, relative; only for the error estimate of a closed sum.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+use super::{
+    Bout, BoutEnd, Request, Response,
+    fall::{Fall, Fallen},
+    lobes::{Lobe, Lobes},
+    tail::Tail,
+    termination::Rule,
+};
+use crate::motion::walk::Walk;
 
 /// Follows the block from rest at `τ = 0`.
 pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
@@ -27,7 +19,9 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
     let runner = Runner {
         solver,
         eta: request.case.eta(),
+        half_period: lobes.half_period(),
         rule: request.termination.rule(&request.case),
+        fall: Fall::new(solver, &request.case, request.lies_at),
         lasts: request.lasts.unwrap_or(f64::INFINITY),
         until: request.until,
     };
@@ -35,6 +29,7 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
     let mut again: Option<Bout> = None;
     let mut left = request.most_impacts;
     let mut now = 0.0;
+    let mut lying = None;
     let end = loop {
         let (lobe, start) = lobes.departure(now);
         if start >= runner.lasts || start >= runner.until {
@@ -44,7 +39,8 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
         let bout = match again.as_ref().and_then(|bout| runner.repeated(bout, lobe, start)) {
             Some(same) => same,
             None => {
-                let bout = runner.bout(lobe, start, left);
+                let (bout, lies) = runner.bout(lobe, start, left);
+                lying = lies.map(|rotation| lobe.mirror * rotation);
                 left = left.saturating_sub(bout.impacts());
                 bout
             }
@@ -59,34 +55,17 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
             break now;
         }
     };
-    Response { lobes, lasts: request.lasts, bouts, end }
+    Response { lobes, lasts: request.lasts, bouts, lying, end }
 }
 
 struct Runner<'a> {
     solver: &'a dyn FlightSolver,
     eta: f64,
+    half_period: f64,
     rule: Rule,
+    fall: Fall<'a>,
     lasts: f64,
     until: f64,
-}
-
-/// A sum of times that are soon far smaller than it (Neumaier).
-#[derive(Clone, Copy)]
-struct Clock {
-    high: f64,
-    low: f64,
-}
-
-impl Clock {
-    fn plus(self, interval: f64) -> Self {
-        let high = self.high + interval;
-        let part = if self.high >= interval { (self.high - high) + interval } else { (interval - high) + self.high };
-        Self { high, low: self.low + part }
-    }
-
-    fn time(self) -> f64 {
-        self.high + self.low
-    }
 }
 
 impl Runner<'_> {
@@ -105,77 +84,42 @@ impl Runner<'_> {
         same.then(|| Bout { lobe, ..earlier.clone() })
     }
 
-    /// From rest at `start`, in a lobe of the excitation, until the block rests or the response ends. Times are counted from the start of the lobe.
-    fn bout(&self, lobe: Lobe, start: f64, most: usize) -> Bout {
-        let origin = lobe.start;
-        let since = start - origin;
-        let mut clock = Clock { high: since, low: 0.0 };
-        let mut departure =
-            Departure { ground: Ground::Shaking, time: since, side: -1.0, rotation: 0.0, velocity: 0.0 };
+    /// From rest at `start`, in a lobe of the excitation, until the block rests, falls or the response ends; and the rotation at which it lies, if it does.
+    /// Times are counted from the start of the lobe.
+    fn bout(&self, lobe: Lobe, start: f64, most: usize) -> (Bout, Option<f64>) {
+        let since = lobe.since(start);
+        let shaken = self.lasts - lobe.start;
+        let mut walk = Walk::from_rest(self.solver, self.eta, since, shaken, self.until - lobe.start);
         let mut flights = Vec::new();
         let mut tail = Tail::default();
-        let mut impacts = 0;
+        let (mut impacts, mut ground) = (0, Ground::Shaking);
+        let mut lying = None;
         let (outcome, duration) = loop {
-            let now = clock.time();
-            let shaken = self.lasts - origin;
-            if departure.ground == Ground::Shaking && now >= shaken {
-                departure.ground = Ground::Still;
-                tail = Tail::default();
+            let Some(flight) = walk.fly() else { break (BoutEnd::Cut, walk.now()) };
+            if let Arrival::Lost(loss) = flight.arrival {
+                break (BoutEnd::Lost(loss), flight.start);
             }
-            let horizon =
-                if departure.ground == Ground::Shaking { shaken.min(self.until - origin) } else { self.until - origin };
-            if now >= self.until - origin {
-                break (BoutEnd::Cut, now);
+            if let Some(Fallen { end, lies }) = self.fall.follow(&mut walk, &flight, &mut flights) {
+                lying = lies;
+                break (BoutEnd::Overturned, end);
             }
-            let arrival = self.solver.fly(&departure, horizon - now);
-            let duration = match arrival {
-                Arrival::Impact { interval, .. } => interval,
-                Arrival::Aloft { .. } => horizon - now,
-                Arrival::Overturned { after } => self.past_the_corner(&departure, after),
-                Arrival::Lost(loss) => break (BoutEnd::Lost(loss), now),
-            };
-            flights.push(Flight { start: now, duration, departure, arrival });
-            match arrival {
-                Arrival::Impact { interval, speed } => {
-                    clock = clock.plus(interval);
-                    impacts += 1;
-                    let now = clock.time();
-                    departure = Departure {
-                        time: now,
-                        side: -departure.side,
-                        rotation: 0.0,
-                        velocity: self.eta * speed,
-                        ..departure
-                    };
-                    if let Some(end) = self.rest(&departure, now - since, &mut tail, interval, now)
-                        && (departure.ground == Ground::Still || end.1 <= shaken)
-                    {
-                        break end;
-                    }
-                    if impacts >= most {
-                        break (BoutEnd::TooManyImpacts, now);
-                    }
-                }
-                Arrival::Aloft { rotation, velocity } => {
-                    clock = Clock { high: horizon, low: 0.0 };
-                    departure = Departure { time: horizon, rotation, velocity, ..departure };
-                }
-                Arrival::Overturned { .. } => break (BoutEnd::Overturned, now + duration),
-                Arrival::Lost(loss) => break (BoutEnd::Lost(loss), now),
+            flights.push(flight);
+            let Arrival::Impact { interval, .. } = flight.arrival else { continue };
+            impacts += 1;
+            let (now, departure) = (walk.now(), walk.departure());
+            if departure.ground != ground {
+                (tail, ground) = (Tail::default(), departure.ground);
+            }
+            if let Some(end) = self.rest(&departure, now - since, &mut tail, interval, now)
+                && (departure.ground == Ground::Still || end.1 <= shaken)
+            {
+                break end;
+            }
+            if impacts >= most {
+                break (BoutEnd::TooManyImpacts, now);
             }
         };
-        Bout { lobe, start: since, duration, flights: Arc::new(flights), outcome }
-    }
-
-    /// How long a flight that is certain to overturn is followed: until its centre of mass is over the corner at least, `|φ| = 1`.
-    fn past_the_corner(&self, departure: &Departure, mut after: f64) -> f64 {
-        for _ in 0..MOST_FALLING_STEPS {
-            if self.solver.motion(departure, after).0 >= 1.0 {
-                break;
-            }
-            after += FALLING_STEP;
-        }
-        after
+        (Bout { lobe, start: since, duration, flights: Arc::new(flights), outcome, conditioning: 0.0 }, lying)
     }
 
     /// Whether the block rests after this impact, and when.
@@ -197,50 +141,12 @@ impl Runner<'_> {
             }
             Rule::Time(_) | Rule::Exact => {}
         }
-        tail.push(departure, interval, now);
-        if !self.solver.rests(departure) {
-            return None;
-        }
-        tail.certain += 1;
-        let most = tail.certain >= MOST_CERTAIN_IMPACTS;
-        if !most && tail.left(self.eta) > RESOLVED * now {
-            return None;
-        }
-        let sum = tail.close(self.eta)?;
-        let enough = sum.uncertainty <= ACCURACY * sum.value || most;
-        enough.then_some((BoutEnd::Complete { uncertainty: sum.uncertainty }, sum.value))
-    }
-}
-
-/// The last impacts under one kind of ground motion.
-#[derive(Default)]
-struct Tail {
-    impacts: Vec<Impact>,
-    /// How many impacts there were since rest was certain.
-    certain: usize,
-}
-
-impl Tail {
-    fn push(&mut self, departure: &Departure, interval: f64, time: f64) {
-        if self.impacts.len() >= 2 * USEFUL_IMPACTS {
-            self.impacts.drain(..USEFUL_IMPACTS);
-        }
-        let uncertainty = Uncertainty { time: f64::EPSILON * time, interval: ROUNDING, velocity: ROUNDING };
-        self.impacts.push(Impact { time, interval, velocity: departure.side * departure.velocity, uncertainty });
-    }
-
-    /// What is about left, by Eq. 75.
-    fn left(&self, eta: f64) -> f64 {
-        let last: f64 = self.impacts.iter().rev().take(2).map(|impact| impact.interval).sum();
-        last * eta * eta / (1.0 - eta * eta)
-    }
-
-    /// When the infinitely many impacts accumulate.
-    fn close(&mut self, eta: f64) -> Option<Estimate> {
-        let impacts = std::mem::take(&mut self.impacts);
-        let history = History { impacts, ending: contract::Ending::AtRest, chattering_time: None };
-        let sum = zeno::close(&history, eta);
-        self.impacts = history.impacts;
-        sum
+        // On shaking ground it rests before the ground pushes it away again.
+        let latest = match departure.ground {
+            Ground::Shaking => ((now / self.half_period).floor() + 1.0) * self.half_period,
+            Ground::Still => f64::INFINITY,
+        };
+        let Estimate { value, uncertainty } = tail.rest(self.solver, (departure, interval, now), self.eta, latest)?;
+        Some((BoutEnd::Complete { uncertainty }, value))
     }
 }

@@ -1,6 +1,6 @@
 //! A response as rows: densely enough to look right at the size of a window, and not more densely.
 
-use contract::{Arrival, Decline, FlightSolver, Oracle};
+use contract::{Arrival, Decline, FlightSolver, Ground, Oracle};
 use serde::Serialize;
 
 use super::{Bout, Flight, Request, Response};
@@ -17,7 +17,8 @@ pub struct Window {
     pub steps: usize,
 }
 
-/// One row of a response. At an impact there are two: just before and just after it.
+/// One row of a response. Time never decreases from one to the next. At an impact, and where the ground stops, there are two of the same time: just before
+/// and just after it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Sample {
     /// The time since the start of the motion.
@@ -42,6 +43,8 @@ pub enum State {
     Rocking,
     /// It can't return any more.
     Overturned,
+    /// It lies on its side, at rest: the end of the response.
+    Lying,
 }
 
 /// A flight of at least this many steps has rows of its own.
@@ -71,10 +74,18 @@ impl Response {
             rows.rest(now, self.end);
             // It may come to rest just as the response ends.
             if rows.inside(now, now).is_some() && now >= self.end {
-                rows.push(now, 0.0, 0.0, State::Rest);
+                rows.push(now, self.ground(now), (0.0, 0.0), State::Rest);
             }
         }
+        if let Some(rotation) = self.lying.filter(|_| rows.inside(now, now).is_some()) {
+            rows.push(now, self.ground(now), (rotation, 0.0), State::Lying);
+        }
         Ok(rows.rows)
+    }
+
+    /// What the ground does at `tau`.
+    fn ground(&self, tau: f64) -> Ground {
+        if self.lasts.is_some_and(|lasts| tau > lasts) { Ground::Still } else { Ground::Shaking }
     }
 }
 
@@ -95,9 +106,11 @@ impl Rows<'_> {
         (from <= to).then_some((from, to))
     }
 
-    fn push(&mut self, tau: f64, phi: f64, phi_velocity: f64, state: State) {
-        let over = self.response.lasts.is_some_and(|lasts| tau > lasts);
-        let ground_acceleration = if over { 0.0 } else { self.response.lobes.acceleration(tau) };
+    fn push(&mut self, tau: f64, ground: Ground, (phi, phi_velocity): (f64, f64), state: State) {
+        let ground_acceleration = match ground {
+            Ground::Shaking => self.response.lobes.acceleration(tau),
+            Ground::Still => 0.0,
+        };
         self.rows.push(Sample { tau, phi, phi_velocity, ground_acceleration, state });
     }
 
@@ -107,48 +120,56 @@ impl Rows<'_> {
             return;
         }
         let parts = ((to - from) / self.step()).ceil().max(1.0);
-        let mut part = 0.0;
-        while part <= parts {
-            self.push(from + (to - from) * (part / parts), 0.0, 0.0, State::Rest);
-            part += 1.0;
+        let ground = self.response.ground(0.5 * (from + to));
+        for tau in steps((from, to), parts) {
+            self.push(tau, ground, (0.0, 0.0), State::Rest);
         }
     }
 
     fn bout(&mut self, bout: &Bout, solver: &dyn FlightSolver) {
         let mut last = f64::NEG_INFINITY;
         for flight in bout.flights.iter() {
-            let begin = bout.lobe.start + flight.start;
-            let Some((from, to)) = self.inside(begin, begin + flight.duration) else { continue };
+            let (begin, end) = (bout.lobe.start + flight.start, bout.lobe.start + flight.end);
+            let Some((from, to)) = self.inside(begin, end) else { continue };
             if to - last < LEAST_STEPS * self.step() && matches!(flight.arrival, Arrival::Impact { .. }) {
                 continue;
             }
             last = to;
-            self.flight(bout, flight, (from - begin, to - begin), solver);
+            let parts = if to - from < LEAST_STEPS * self.step() {
+                1.0
+            } else {
+                ((to - from) / self.step()).ceil().max(LEAST_PARTS)
+            };
+            for tau in steps((from, to), parts) {
+                // The end of the flight is a time of its own: the difference of two times has fewer digits than its duration.
+                let s = if tau == end { flight.duration } else { (tau - begin).min(flight.duration) };
+                self.flight(bout.lobe.mirror, flight, (tau, s), solver);
+            }
         }
     }
 
-    fn flight(&mut self, bout: &Bout, flight: &Flight, (from, to): (f64, f64), solver: &dyn FlightSolver) {
-        let sign = bout.lobe.mirror * flight.departure.side;
-        let begin = bout.lobe.start + flight.start;
-        let parts = if to - from < LEAST_STEPS * self.step() {
-            1.0
-        } else {
-            ((to - from) / self.step()).ceil().max(LEAST_PARTS)
+    /// The row at `tau`, a time `s` after the start of a flight.
+    fn flight(&mut self, mirror: f64, flight: &Flight, (tau, s): (f64, f64), solver: &dyn FlightSolver) {
+        let sign = mirror * flight.departure.side;
+        let (rotation, velocity) = match flight.arrival {
+            // On the base itself, to the last digit.
+            Arrival::Impact { speed, .. } if s >= flight.duration => (0.0, -speed),
+            _ => solver.motion(&flight.departure, s),
         };
-        let mut part = 0.0;
-        while part <= parts {
-            let s = from + (to - from) * (part / parts);
-            let (rotation, velocity) = match flight.arrival {
-                // On the base itself, to the last digit.
-                Arrival::Impact { speed, .. } if s >= flight.duration => (0.0, -speed),
-                _ => solver.motion(&flight.departure, s),
-            };
-            let state = match flight.arrival {
-                Arrival::Overturned { after } if s >= after => State::Overturned,
-                _ => State::Rocking,
-            };
-            self.push(begin + s, sign * rotation, sign * velocity, state);
-            part += 1.0;
-        }
+        let state = match flight.arrival {
+            Arrival::Overturned { after } if s >= after => State::Overturned,
+            _ => State::Rocking,
+        };
+        self.push(tau, flight.departure.ground, (sign * rotation, sign * velocity), state);
     }
+}
+
+/// Times that divide a stretch into equal parts, both of its ends to the last digit.
+fn steps((from, to): (f64, f64), parts: f64) -> impl Iterator<Item = f64> {
+    let mut part = 0.0;
+    std::iter::from_fn(move || {
+        let tau = if part < parts { (from + (to - from) * (part / parts)).min(to) } else { to };
+        part += 1.0;
+        (part <= parts + 1.0).then_some(tau)
+    })
 }

@@ -6,6 +6,7 @@ use super::{
     ORDERS, PAPER, spread,
     truth::{critical_epsilon, proven},
 };
+use crate::measure::excitation::half_period;
 use asymptotic::{Alternative, Expansion, Resummed, coefficients};
 
 /// The error of one method at one amplitude.
@@ -56,7 +57,7 @@ fn of_one(expansion: &Expansion, to_go: &[f64]) -> Result<Vec<ErrorRow>, Decline
     for (method, value) in methods(expansion)? {
         for &(to_go, epsilon, truth) in &places {
             let (value, claim) = value(epsilon).unzip();
-            let half_period = std::f64::consts::PI / omega;
+            let half_period = half_period(omega);
             rows.push(ErrorRow {
                 eta,
                 omega,

@@ -16,13 +16,13 @@ mod figure;
 mod history;
 mod limits;
 
-use std::{collections::BTreeMap, f64::consts::PI};
+use std::collections::BTreeMap;
 
 use contract::{Case, Decline, Invalid};
 use rayon::prelude::*;
 
 use crate::{
-    measure::{asking::ask, observables::Observed},
+    measure::{asking::ask, excitation::half_period, observables::Observed},
     panel,
     studies::chart::{self, Table},
 };
@@ -114,11 +114,6 @@ fn observed(a: f64, omega: f64, eta: f64, impacts: usize) -> Result<Observed, Er
     let case = Case::from_amplitude(a, omega, eta)?.with_max_impacts(impacts)?;
     let answer = ask(panel::stepper().as_ref(), &case);
     answer.into_observed().ok_or_else(|| missing(format!("the history of a = {a}, omega = {omega}, eta = {eta}")))
-}
-
-/// Half a period of the excitation, `T/2 = π/ω`.
-fn half_period(omega: f64) -> f64 {
-    PI / omega
 }
 
 /// The phase at which rocking begins, `ψ` of Eq. 12 with `i_0 = -1`.

@@ -22,6 +22,8 @@ mod time_stepping;
 
 use contract::{Case, Impact};
 
+use crate::measure::excitation;
+
 pub use ad_hoc::AdHoc;
 pub use as_printed::PrintedInDoubles;
 pub use one_clock::{OneClock, solver_on_one_clock};
@@ -91,5 +93,5 @@ pub const ENDLESS: usize = 40_000;
 
 /// `T/2 = π/ω`, the time at which the excitation is the mirror image of its start.
 pub fn half_period(case: &Case) -> f64 {
-    std::f64::consts::PI / case.omega()
+    excitation::half_period(case.omega())
 }

@@ -1,7 +1,7 @@
 use contract::{Case, Ending, Horizon};
 
 use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
-use crate::panel;
+use crate::{measure::excitation::Excitation, panel};
 
 /// When the block is put to rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl Threshold {
 
 /// Whether the excitation at `time` is below the threshold of Eq. 1.
 fn can_rest(case: &Case, time: f64) -> bool {
-    (case.amplitude() * (case.omega() * time + (1.0 / case.amplitude()).asin()).sin()).abs() < 1.0
+    Excitation::new(case).at(time).abs() < 1.0
 }
 
 impl Specimen for Threshold {

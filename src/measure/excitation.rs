@@ -1,0 +1,94 @@
+//! The ground motion of a case as the harness has it; each oracle has its own.
+
+use std::f64::consts::PI;
+
+use contract::{Case, Horizon};
+
+/// `f = a sin(ωτ + ψ)`, the ground acceleration in multiples of the threshold, with time counted from the initiation of the case: where `f` reaches the
+/// threshold, growing, `sin ψ = 1/a` (Eq. 12). One that stays below the threshold, `a <= 1`, is counted from where it comes next to it, its peak.
+///
+/// It is kept as `f = in_phase cos ωτ + quadrature sin ωτ`, so that nothing is lost near the threshold, where `ψ` is near `π/2`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excitation {
+    omega: f64,
+    /// `a sin ψ`.
+    in_phase: f64,
+    /// `a cos ψ = sqrt(ε(2 + ε))` (Eq. 24).
+    quadrature: f64,
+}
+
+impl Excitation {
+    /// That of a case.
+    pub fn new(case: &Case) -> Self {
+        let (epsilon, omega) = (case.epsilon(), case.omega());
+        Self { omega, in_phase: case.amplitude().min(1.0), quadrature: (epsilon * (2.0 + epsilon)).max(0.0).sqrt() }
+    }
+
+    /// `ω`.
+    pub fn omega(&self) -> f64 {
+        self.omega
+    }
+
+    /// `ψ`.
+    pub fn phase(&self) -> f64 {
+        self.in_phase.atan2(self.quadrature)
+    }
+
+    /// `a cos ψ`.
+    pub fn quadrature(&self) -> f64 {
+        self.quadrature
+    }
+
+    /// `T/2`.
+    pub fn half_period(&self) -> f64 {
+        half_period(self.omega)
+    }
+
+    /// How long the ground acceleration stays above the threshold, each time.
+    pub fn above_threshold(&self) -> f64 {
+        2.0 * self.quadrature.atan2(self.in_phase) / self.omega
+    }
+
+    /// `f` at the time `tau` since initiation.
+    pub fn at(&self, tau: f64) -> f64 {
+        let (sin, cos) = (self.omega * tau).sin_cos();
+        self.in_phase * cos + self.quadrature * sin
+    }
+}
+
+/// Half a period of the ground motion, `T/2 = π/ω`.
+pub fn half_period(omega: f64) -> f64 {
+    PI / omega
+}
+
+/// The end of the time that a case is followed, in `τ`.
+pub fn horizon(case: &Case) -> f64 {
+    match case.horizon() {
+        Horizon::HalfPeriod => half_period(case.omega()),
+        Horizon::Until(time) => time,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_the_sinusoid_on_either_side_of_the_threshold() {
+        for a in [0.0, 0.3, 0.99, 1.0, 1.0 + 1e-9, 1.5, 40.0] {
+            let excitation = Excitation::new(&Case::from_amplitude(a, 2.0, 0.9).unwrap());
+            let psi = if a > 1.0 { (1.0_f64 / a).asin() } else { std::f64::consts::FRAC_PI_2 };
+            for k in 0..50 {
+                let tau = 0.17 * f64::from(k);
+                assert!(
+                    (excitation.at(tau) - a * (2.0 * tau + psi).sin()).abs() < 1e-14 * (1.0 + 40.0 * a),
+                    "{a} {tau}"
+                );
+            }
+            assert!(a == 0.0 || (excitation.phase() - psi).abs() < 1e-7, "{a}");
+            assert!((excitation.half_period() - 0.5 * PI).abs() < 1e-15);
+            let leaves = excitation.above_threshold();
+            assert!(if a > 1.0 { (excitation.at(leaves) - 1.0).abs() < 1e-13 * a * a } else { leaves == 0.0 }, "{a}");
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The end of chattering: when infinitely many impacts have accumulated.
+
+use contract::{Departure, Ending, Estimate, FlightSolver, Ground, History, Impact, Uncertainty};
+
+use crate::measure::zeno;
+
+/// A sum is closed once its error is at most this, relative to the time since the threshold.
+const ACCURACY: f64 = 1e-13;
+/// Impacts are resolved until what is left to the accumulation is this share of the time since the threshold: less is not seen in any picture.
+const RESOLVED: f64 = 1e-9;
+/// Or until so many have followed since it has been certain that the block comes to rest: more do not help.
+const MOST_CERTAIN: usize = 2000;
+/// Or so many of which it is known when they end.
+const MOST_KNOWN: usize = 250_000;
+/// Impacts that closing a sum can use.
+const USEFUL_IMPACTS: usize = 64;
+/// What a flight solver leaves of rounding in each interval, relative; only for the error estimate of a closed sum.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// The last impacts under one kind of ground motion.
+#[derive(Default)]
+pub(super) struct Tail {
+    impacts: Vec<Impact>,
+    /// How many impacts there were since rest was certain.
+    certain: usize,
+    /// When the block rests, where its solver knows without following it.
+    known: Option<Estimate>,
+}
+
+impl Tail {
+    /// When the block rests, once that is certain and known well enough, after an impact at `now` that ended a flight of duration `interval` and left the block
+    /// with `departure`. It is certain to be not later than `latest`.
+    pub(super) fn rest(
+        &mut self,
+        solver: &dyn FlightSolver,
+        (departure, interval, now): (&Departure, f64, f64),
+        eta: f64,
+        latest: f64,
+    ) -> Option<Estimate> {
+        self.push(departure, interval, now);
+        if !solver.rests(departure) {
+            return None;
+        }
+        if self.certain == 0 && departure.ground == Ground::Still {
+            self.known = solver
+                .time_to_rest(departure)
+                .map(|left| Estimate { value: now + left.value, uncertainty: left.uncertainty + f64::EPSILON * now });
+        }
+        self.certain += 1;
+        if let Some(known) = self.known {
+            let resolved = known.value - now <= RESOLVED * now || self.certain >= MOST_KNOWN;
+            return resolved.then_some(Estimate { value: known.value.max(now), ..known });
+        }
+        let most = self.certain >= MOST_CERTAIN;
+        if !most && self.left(eta) > RESOLVED * now {
+            return None;
+        }
+        let sum = self.close(eta)?;
+        let enough = sum.uncertainty <= ACCURACY * sum.value || most;
+        enough.then(|| within(sum, now, latest))
+    }
+
+    fn push(&mut self, departure: &Departure, interval: f64, time: f64) {
+        if self.impacts.len() >= 2 * USEFUL_IMPACTS {
+            self.impacts.drain(..USEFUL_IMPACTS);
+        }
+        let uncertainty = Uncertainty { time: f64::EPSILON * time, interval: ROUNDING, velocity: ROUNDING };
+        self.impacts.push(Impact { time, interval, velocity: departure.side * departure.velocity, uncertainty });
+    }
+
+    /// What is about left, by Eq. 75.
+    fn left(&self, eta: f64) -> f64 {
+        let last: f64 = self.impacts.iter().rev().take(2).map(|impact| impact.interval).sum();
+        last * eta * eta / (1.0 - eta * eta)
+    }
+
+    /// When the infinitely many impacts accumulate.
+    fn close(&mut self, eta: f64) -> Option<Estimate> {
+        let impacts = std::mem::take(&mut self.impacts);
+        let history = History { impacts, ending: Ending::AtRest, chattering_time: None };
+        let sum = zeno::close(&history, eta);
+        self.impacts = history.impacts;
+        sum
+    }
+}
+
+/// A sum whose estimate may be far off is at least where it is certain to be.
+fn within(sum: Estimate, now: f64, latest: f64) -> Estimate {
+    if sum.value >= now && sum.value <= latest {
+        return sum;
+    }
+    let value = if sum.value > latest { latest } else { now };
+    Estimate { value, uncertainty: sum.uncertainty.max(latest - now) }
+}
