@@ -51,6 +51,8 @@ fn main() {
             Some(Outcome::Incomplete | Outcome::Overturned) => {
                 matches!(truth.history.ending, Ending::Incomplete | Ending::Overturned)
             }
+            // Only scenes are followed past half a period.
+            Some(Outcome::Rocking) => false,
             Some(Outcome::NeverRocks) => truth.history.ending == Ending::NeverRocks,
             None => false,
         };

@@ -47,8 +47,8 @@ pub(crate) struct CaseFlags {
         value_parser = number
     )]
     eta: Option<f64>,
-    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for a motion that
-    /// passes the threshold and goes on; its phase and duration are for `chattercheck scene` and `chattercheck response`
+    /// A scene file in place of these: a block and a ground motion in physical units; see `chattercheck scene`. Answered for its first rocking: from where the
+    /// motion sets it off, past half a period and past the end of the motion
     #[arg(long, value_name = "FILE", conflicts_with_all = ["a", "epsilon", "omega", "eta", "alpha", "normalisation"])]
     pub(super) scene: Option<PathBuf>,
     /// Slenderness angle in radians, for the nonlinear model
@@ -57,7 +57,7 @@ pub(crate) struct CaseFlags {
     /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
     #[arg(long, value_name = "threshold|slender", requires = "alpha")]
     normalisation: Option<String>,
-    /// Follow the block to this time tau, past half a period if it still rocks
+    /// Follow the block to this time tau, past half a period if it still rocks; for a scene from the start of its motion
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
 }

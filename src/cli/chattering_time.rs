@@ -1,16 +1,20 @@
 use anyhow::{anyhow, bail};
 use chattercheck::{
     measure::{excitation::half_period, observables::Observed},
-    motion::plan::{Outcome, Plan, Question},
+    motion::{
+        plan::{Outcome, Plan, Question},
+        response::{Bout, BoutEnd},
+    },
     panel::{self, Method, Proven, Refused, Role},
 };
 use clap::Args;
-use contract::{Case, Ending, Oracle};
+use contract::{Case, Ending, Invalid, Oracle};
 use serde::Serialize;
 
 use super::{
     Status,
     case_flags::CaseFlags,
+    followed::{Followed, follow},
     oracle_flags::{Asked, OracleFlags},
     output::{Format, note},
 };
@@ -66,10 +70,19 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Asked::Oracle(oracle) => oracle,
     };
     arguments.refuse_impacts(oracle.name())?;
+    if let Some(followed) = follow(flags, oracle.as_ref(), None)? {
+        return in_scene(arguments, oracle.name(), &followed);
+    }
     if let Some(proven) = arguments.oracle.proven(flags, &case, *digits)? {
+        if let Some(followed) = follow(flags, oracle.as_ref(), Some(proven.history.ending))? {
+            return in_scene(arguments, oracle.name(), &followed);
+        }
         return enclosed(arguments, &proven, &case);
     }
     let (case, observed) = arguments.observe(oracle.as_ref(), case)?;
+    if let Some(followed) = follow(flags, oracle.as_ref(), Some(observed.history.ending))? {
+        return in_scene(arguments, oracle.name(), &followed);
+    }
     let mut answer = answer(oracle.name(), &case, &observed);
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
@@ -127,6 +140,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         None => "no method had an answer",
         Some(Outcome::NeverRocks) => "never rocks",
         Some(Outcome::Incomplete) => "incomplete (still rocking at half a period)",
+        Some(Outcome::Rocking) => "still rocking when the response ends",
         Some(Outcome::Overturned) => "overturned",
         Some(Outcome::Complete(_)) => "at rest (complete chattering)",
     };
@@ -153,6 +167,38 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         ));
     }
     Ok(if outcome.is_some() { Status::Well } else { Status::Disagreed })
+}
+
+/// The first rocking of a scene that is more than a case.
+fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow::Result<Status> {
+    if let Some(impacts) = arguments.impacts {
+        let why = "only for a scene that is no more than a case: here it takes as many as it needs";
+        return Err(Invalid::new("impacts", impacts, why).into());
+    }
+    let bout = followed.first();
+    let rests = bout.filter(|bout| matches!(bout.outcome, BoutEnd::Complete { .. }) && !bout.is_unsure());
+    let time = rests.map(|bout| bout.duration - bout.start);
+    let answer = Answer {
+        rocks: bout.is_some(),
+        complete: bout.and_then(|bout| match bout.outcome {
+            _ if bout.is_unsure() => None,
+            BoutEnd::Complete { .. } => Some(true),
+            BoutEnd::Overturned | BoutEnd::Cut => Some(false),
+            _ => None,
+        }),
+        tau_ch: time,
+        uncertainty: rests.map(Bout::uncertainty),
+        lower: None,
+        upper: None,
+        seconds: time.map(|time| time / followed.scene.block.frequency_parameter()),
+        half_period_fraction: time.map(|time| time / followed.response.lobes.half_period()),
+        impacts: bout.map_or(0, Bout::impacts),
+        oracle,
+        method: time.map(|_| "the response of the scene"),
+        ending: bout.map_or("never rocks", Bout::ending).to_owned(),
+    };
+    arguments.format.print(&answer, text)?;
+    Ok(if answer.rocks && answer.complete.is_none() { Status::Disagreed } else { Status::Well })
 }
 
 /// The answer of the oracle with proven bounds, with all its digits.

@@ -7,6 +7,7 @@ mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
 mod files;
+mod followed;
 mod oracle_flags;
 mod oracles;
 mod output;

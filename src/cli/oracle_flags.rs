@@ -126,9 +126,9 @@ impl OracleFlags {
                 if is_linear && case.slenderness().is_some() {
                     return Err(Refused::unused("model", "nonlinear (of the scene)", oracle.name(), solves_it).into());
                 }
-                if scene.question()?.request.is_some() {
+                if scene.question()?.request.is_some() && oracle.flights(case).is_err() {
                     bail!(
-                        "phase or duration (of the scene) is not used by {}, which is for a motion that passes the threshold and goes on; only with --oracle auto, or `chattercheck scene`",
+                        "phase or duration (of the scene) is not used by {}, which is for a motion that passes the threshold and goes on; only with --oracle auto, closed-form, taylor or ode",
                         oracle.name()
                     );
                 }

@@ -235,7 +235,7 @@ fn answered(answer: &Answered) -> String {
             let meets = if answer.meets_tolerance { "as asked" } else { "WORSE THAN ASKED" };
             format!("it rests {} s after it began to rock, to {off:.0e} of it, {meets}", meaningful(seconds, off))
         }
-        _ => "it does not come to rest within half a period of the ground motion: it rocks on or overturns, `chattercheck scene` tells which".to_owned(),
+        _ => "it does not come to rest as long as it is followed (5 cycles of a motion without end): `chattercheck response` follows it further with --until".to_owned(),
     }
 }
 

@@ -18,8 +18,8 @@ use super::{
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
 ///
 /// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
-/// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking or overturned. At an impact there are two
-/// rows: just before and just after it. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
+/// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking, overturned (no return is possible any more) or lying. Time never decreases; at an impact, and where the ground stops, there are two
+/// rows of the same time: just before and just after it. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
 ///
 /// Followed until the block rests after the motion; a motion without end for 5 cycles.
 #[derive(Args)]
@@ -102,7 +102,7 @@ struct BoutRow {
     /// How many impacts were resolved; infinitely many follow where the ending is `complete`.
     impacts: usize,
     ending: &'static str,
-    /// What is expected to be wrong with `to`, where chattering is complete.
+    /// What is expected to be wrong with `to`; `null` where nothing is known of it, which the ending `unsure` says too.
     uncertainty: Option<f64>,
 }
 
@@ -212,22 +212,29 @@ fn document<'a>(scene: &'a Scene, model: &'static str, request: &Request, respon
 }
 
 fn row(bout: &Bout) -> BoutRow {
-    let uncertainty = match bout.outcome {
-        BoutEnd::Complete { uncertainty } => Some(uncertainty),
-        _ => None,
-    };
-    BoutRow { from: bout.begin(), to: bout.end(), impacts: bout.impacts(), ending: bout.outcome.name(), uncertainty }
+    let uncertainty = Some(bout.uncertainty()).filter(|uncertainty| uncertainty.is_finite());
+    BoutRow { from: bout.begin(), to: bout.end(), impacts: bout.impacts(), ending: bout.ending(), uncertainty }
 }
 
 fn summary(response: &Response) -> String {
     let impacts: usize = response.bouts.iter().map(Bout::impacts).sum();
-    match response.bouts.last() {
-        None => "the block never rocks".to_owned(),
-        Some(last) => format!(
-            "{} times of rocking, {impacts} impacts resolved; the last one ends at tau = {}: {}",
-            response.bouts.len(),
-            last.end(),
-            last.outcome.name()
+    let Some(last) = response.bouts.last() else { return "the block never rocks".to_owned() };
+    let times = response.bouts.len();
+    let many = format!("{times} time{} of rocking, {impacts} impacts resolved", if times == 1 { "" } else { "s" });
+    let lies = if response.lying.is_some() { ", and lies on its side" } else { "" };
+    let (end, off, name) = (last.end(), last.uncertainty(), last.outcome.name());
+    let first_unsure = response.bouts.iter().find(|bout| bout.is_unsure());
+    match first_unsure {
+        None => format!("{many}; the last one ends at tau = {end} ± {off:.0e}: {name}{lies}"),
+        Some(bout) if bout.uncertainty().is_finite() => format!(
+            "{many}; UNSURE: the one that begins at tau = {} ends at about {}, which may be off by {:.0e}",
+            bout.begin(),
+            bout.end(),
+            bout.uncertainty()
+        ),
+        Some(bout) => format!(
+            "{many}; UNSURE from tau = {} on: rounding alone changes how the rocking goes that begins there",
+            bout.begin()
         ),
     }
 }

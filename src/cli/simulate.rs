@@ -1,15 +1,16 @@
-use anyhow::{anyhow, bail};
+use anyhow::anyhow;
 use chattercheck::{
-    motion::plan::Question,
+    motion::{plan::Question, response::BoutEnd},
     panel::{self, Method, Refused, Setting},
 };
 use clap::{Args, ValueEnum};
-use contract::{Case, Ending, History, Oracle};
+use contract::{Case, Ending, History, Impact, Limit, Oracle, Uncertainty};
 use serde::Serialize;
 
 use super::{
     Status,
     case_flags::CaseFlags,
+    followed::{Followed, follow},
     oracle_flags::{Asked, OracleFlags},
     output,
 };
@@ -17,6 +18,8 @@ use super::{
 /// One impact history
 ///
 /// CSV columns n, tau, interval, velocity, sign: row 0 is initiation; velocity is that just after impact n, sign that of the flight that follows.
+/// For a scene that is more than a case (its motion starts elsewhere than at the threshold or ends, or the block rocks on after half a period) tau is counted from the
+/// start of the motion, as in `chattercheck response`, and the impacts are those of the first rocking.
 /// The JSON document also has what the oracle claims: tau_uncertainty (absolute), interval_uncertainty and velocity_uncertainty (relative).
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -69,14 +72,30 @@ struct Document<'a> {
     impacts: Vec<ClaimedRow>,
 }
 
+/// The impacts to be printed.
+struct Listed {
+    history: History,
+    start: Start,
+    /// Whether rounding alone would have changed how it ends.
+    unsure: bool,
+}
+
+/// When rocking begins, and to which side.
+struct Start {
+    tau: f64,
+    sign: i8,
+}
+
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let case = arguments.case.case(arguments.impacts)?;
     let oracle = match arguments.oracle.asked(&arguments.case, &case, None)? {
         Asked::Auto(question) => arguments.stepper(&question)?,
         Asked::Oracle(oracle) => oracle,
     };
-    let history = oracle.history(&case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
-    let rows = rows(&history);
+    let Listed { history, start, unsure } = arguments.listed(oracle.as_ref(), &case)?;
+    let rows = rows(&history, start);
+    let ending =
+        if unsure { "unsure: rounding alone changes how it ends".to_owned() } else { history.ending.to_string() };
     match arguments.format {
         Format::Csv => output::write(|stdout| {
             // Without rows there would be no head.
@@ -87,30 +106,56 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         })?,
         Format::Json => {
             let rocks = history.ending != Ending::NeverRocks;
-            let document = Document {
-                oracle: oracle.name(),
-                rocks,
-                ending: history.ending.to_string(),
-                impacts: claimed(rows, &history),
-            };
+            let document =
+                Document { oracle: oracle.name(), rocks, ending: ending.clone(), impacts: claimed(rows, &history) };
             output::print(&(serde_json::to_string_pretty(&document)? + "\n"))?;
         }
     }
-    output::note(format_args!("{}: {} after {} impacts", oracle.name(), history.ending, history.impacts.len()));
-    Ok(if matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
+    output::note(format_args!("{}: {ending} after {} impacts", oracle.name(), history.impacts.len()));
+    Ok(if unsure || matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
 }
 
 impl Arguments {
+    /// The impacts of the case, or of the first rocking of the scene.
+    fn listed(&self, oracle: &dyn Oracle, case: &Case) -> anyhow::Result<Listed> {
+        if let Some(followed) = follow(&self.case, oracle, None)? {
+            return Ok(self.in_scene(&followed));
+        }
+        let history = oracle.history(case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
+        match follow(&self.case, oracle, Some(history.ending))? {
+            Some(followed) => Ok(self.in_scene(&followed)),
+            None => Ok(Listed { history, start: Start { tau: 0.0, sign: -1 }, unsure: false }),
+        }
+    }
+
+    /// The impacts of the first rocking of a scene that is more than a case; nothing is claimed for them.
+    fn in_scene(&self, followed: &Followed) -> Listed {
+        let Some(bout) = followed.first() else {
+            let history = History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None };
+            return Listed { history, start: Start { tau: 0.0, sign: -1 }, unsure: false };
+        };
+        let claim = Uncertainty { time: f64::INFINITY, interval: f64::INFINITY, velocity: f64::INFINITY };
+        let impacts = bout
+            .impact_list(followed.scene.block.restitution)
+            .take(self.impacts)
+            .map(|(time, interval, velocity)| Impact { time, interval, velocity, uncertainty: claim });
+        let ending = match bout.outcome {
+            BoutEnd::Complete { .. } | BoutEnd::VelocityThreshold | BoutEnd::ChatteringThreshold => Ending::AtRest,
+            BoutEnd::Overturned => Ending::Overturned,
+            BoutEnd::Cut => Ending::LimitReached(Limit::Time),
+            BoutEnd::TooManyImpacts => Ending::LimitReached(Limit::Impacts),
+            BoutEnd::Lost(loss) => Ending::Lost(loss),
+        };
+        let history = History { impacts: impacts.collect(), ending, chattering_time: None };
+        let start = Start { tau: bout.begin(), sign: if bout.lobe.mirror > 0.0 { -1 } else { 1 } };
+        Listed { history, start, unsure: bout.is_unsure() }
+    }
+
     /// For impacts, other than for a chattering time, `auto` takes flights of the very equation that is asked for.
     fn stepper(&self, question: &Question) -> anyhow::Result<Box<dyn Oracle>> {
         if let Some(tolerance) = self.oracle.tolerance() {
             let uses = |method: &Method| method.uses(Setting::Tolerance);
             return Err(Refused::unused("tolerance", tolerance, "auto (for impacts)", uses).into());
-        }
-        if question.request.is_some() {
-            bail!(
-                "phase or duration (of the scene) is not used by simulate, which is for a motion that passes the threshold and goes on; see `chattercheck scene` with what = [\"impact-times\"]"
-            );
         }
         Ok(panel::stepper_of(panel::model_of(&question.case)))
     }
@@ -132,17 +177,17 @@ fn claimed(rows: Vec<Row>, history: &History) -> Vec<ClaimedRow> {
 }
 
 /// Nothing at all if the block never rocks, else initiation and the impacts.
-fn rows(history: &History) -> Vec<Row> {
+fn rows(history: &History, start: Start) -> Vec<Row> {
     if history.ending == Ending::NeverRocks {
         return Vec::new();
     }
-    let initiation = Row { n: 0, tau: 0.0, interval: None, velocity: 0.0, sign: -1 };
+    let initiation = Row { n: 0, tau: start.tau, interval: None, velocity: 0.0, sign: start.sign };
     let impacts = history.impacts.iter().enumerate().map(|(index, impact)| Row {
         n: index + 1,
         tau: impact.time,
         interval: Some(impact.interval),
         velocity: impact.velocity,
-        sign: if index % 2 == 0 { 1 } else { -1 },
+        sign: if index % 2 == 0 { -start.sign } else { start.sign },
     });
     std::iter::once(initiation).chain(impacts).collect()
 }

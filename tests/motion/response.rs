@@ -129,7 +129,12 @@ proptest! {
                         Arrival::Aloft { rotation, velocity } => {
                             prop_assert_eq!((departure.rotation, departure.velocity), (rotation, velocity));
                         }
-                        other => prop_assert!(false, "a flight after {other:?}"),
+                        // It falls on, on ground that has come to rest.
+                        Arrival::Overturned { .. } => {
+                            prop_assert!(departure.rotation > 0.0 && departure.side == two[0].departure.side);
+                            prop_assert_eq!(departure.ground, Ground::Still);
+                        }
+                        other @ Arrival::Lost(_) => prop_assert!(false, "a flight after {other:?}"),
                     }
                 }
             }

@@ -32,6 +32,8 @@ pub struct Question {
     pub rounding: f64,
     /// The motion, unless it is that of a case: one that starts at the threshold and lasts for half a period at least.
     pub request: Option<Request>,
+    /// The same motion where it is that of a case: what happens after half a period if the chattering is incomplete. A question about a case alone has none.
+    pub afterwards: Option<Request>,
     /// How near it is to the critical amplitude; `None` outside of the range in which errors are predicted.
     pub place: Option<Place>,
 }
@@ -39,7 +41,7 @@ pub struct Question {
 impl Question {
     /// A question about a case as it stands.
     pub fn new(case: Case, tolerance: f64) -> Self {
-        Self { case, tolerance, rounding: 0.0, request: None, place: Place::of(&case) }
+        Self { case, tolerance, rounding: 0.0, request: None, afterwards: None, place: Place::of(&case) }
     }
 
     /// The tolerance of a question that names none.

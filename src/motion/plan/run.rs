@@ -31,6 +31,8 @@ pub enum Outcome {
     NeverRocks,
     /// The chattering is incomplete: the block does not come to rest within half a period. It rocks on, or overturns later.
     Incomplete,
+    /// The block still rocks when the response ends.
+    Rocking,
     /// It overturns.
     Overturned,
     /// The chattering time in `τ`, and the error estimated after the fact: everything that is known to be wrong with it, absolute.
@@ -56,7 +58,7 @@ impl Answer {
     pub fn chattering_time(&self) -> Option<Estimate> {
         match self.outcome()? {
             Outcome::Complete(time) => Some(time),
-            Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned => None,
+            Outcome::NeverRocks | Outcome::Incomplete | Outcome::Rocking | Outcome::Overturned => None,
         }
     }
 
@@ -85,16 +87,37 @@ pub(super) fn answer(plan: &Plan) -> Answer {
             Err(decline) => (None, 0, Some(decline)),
         };
         attempts.push(Attempt { method: candidate.method, found, declined, impacts });
-        let meets = match found {
-            Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Overturned) => true,
-            Some(Outcome::Complete(time)) => time.uncertainty <= question.tolerance * time.value,
-            None => false,
-        };
-        if meets {
-            return Answer { attempts, meets };
+        if meets(found, question.tolerance) {
+            break;
         }
     }
-    Answer { attempts, meets: false }
+    if let (Some(Outcome::Incomplete | Outcome::Overturned), Some(request)) =
+        (attempts.last().and_then(|attempt| attempt.found), &question.afterwards)
+    {
+        attempts.push(afterwards(question, request));
+    }
+    let meets = attempts.last().is_some_and(|attempt| meets(attempt.found, question.tolerance));
+    Answer { attempts, meets }
+}
+
+/// Whether what was found is as accurate as asked.
+fn meets(found: Option<Outcome>, tolerance: f64) -> bool {
+    match found {
+        Some(Outcome::Complete(time)) => time.uncertainty <= tolerance * time.value,
+        Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Rocking | Outcome::Overturned) => true,
+        None => false,
+    }
+}
+
+/// What happens after half a period, by flights of the very equation that is asked for.
+fn afterwards(question: &Question, request: &Request) -> Attempt {
+    let method = if question.alpha() > 0.0 { Method::Nonlinear } else { Method::Linear };
+    let ran =
+        method.oracle(question).map_or(Ok((None, 0)), |oracle| responded(oracle.as_ref(), request, &Errors::default()));
+    match ran {
+        Ok((found, impacts)) => Attempt { method, found, declined: None, impacts },
+        Err(decline) => Attempt { method, found: None, declined: Some(decline), impacts: 0 },
+    }
 }
 
 /// What was found, if anything, and how many impacts it took.
@@ -159,11 +182,12 @@ fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Ran {
     let response = Response::new(oracle, request)?;
     let Some(bout) = response.bouts.first() else { return Ok((Some(Outcome::NeverRocks), 0)) };
     let outcome = match bout.outcome {
+        _ if bout.is_unsure() => None,
         BoutEnd::Complete { uncertainty } => {
             Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
         }
         BoutEnd::Overturned => Some(Outcome::Overturned),
-        BoutEnd::Cut => Some(Outcome::Incomplete),
+        BoutEnd::Cut => Some(Outcome::Rocking),
         _ => None,
     };
     Ok((outcome, bout.impacts()))

@@ -17,6 +17,9 @@ pub struct Lobes {
     first: f64,
     /// Whether the ground then accelerates to the negative side.
     mirrored: bool,
+    amplitude: f64,
+    /// The phase at `τ = 0`, if it was given.
+    phase: Option<f64>,
 }
 
 /// One lobe of the excitation.
@@ -41,11 +44,11 @@ impl Lobes {
     /// Those of `a sin(ωτ + phase)`; without a phase the first is at `τ = 0`.
     pub fn new(case: &Case, phase: Option<f64>) -> Self {
         let excitation = Excitation::new(case);
-        let Some(phase) = phase else { return Self { excitation, first: 0.0, mirrored: false } };
-        let past = phase - excitation.phase();
+        let past = phase.map_or(0.0, |phase| phase - excitation.phase());
         let turns = (past / PI).floor();
-        let first = -(past - turns * PI) / case.omega();
-        Self { excitation, first, mirrored: turns.rem_euclid(2.0) != 0.0 }
+        // Not -0, which would be printed.
+        let first = 0.0 - (past - turns * PI) / case.omega();
+        Self { excitation, first, mirrored: turns.rem_euclid(2.0) != 0.0, amplitude: case.amplitude(), phase }
     }
 
     /// Half a period of the excitation, `T/2 = π/ω`.
@@ -73,8 +76,10 @@ impl Lobes {
 
     /// The ground acceleration at `tau`, in multiples of the threshold: `a sin(ωτ + phase)`.
     pub fn acceleration(&self, tau: f64) -> f64 {
-        let acceleration = self.excitation.at(tau - self.first);
-        if self.mirrored { -acceleration } else { acceleration }
+        match self.phase {
+            Some(phase) => self.amplitude * (self.excitation.omega() * tau + phase).sin(),
+            None => self.excitation.at(tau),
+        }
     }
 }
 

@@ -135,6 +135,18 @@ impl Bout {
         hits.map(|flight| self.lobe.start + flight.end)
     }
 
+    /// The impacts as far as they are resolved, each with its time since the start of the motion, the interval since the last one or since the bout began, and the
+    /// velocity just after it, which is `eta` times that before.
+    pub fn impact_list(&self, eta: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+        let mut interval = 0.0;
+        self.flights.iter().filter_map(move |flight| {
+            interval += flight.duration;
+            let Arrival::Impact { speed, .. } = flight.arrival else { return None };
+            let side = -self.lobe.mirror * flight.departure.side;
+            Some((self.lobe.start + flight.end, std::mem::take(&mut interval), side * eta * speed))
+        })
+    }
+
     /// How far off the time of its end may be, absolute in `τ`.
     pub fn uncertainty(&self) -> f64 {
         match self.outcome {

@@ -108,18 +108,19 @@ impl Scene {
                 bouts: response.bouts.len(),
                 impacts: response.bouts.iter().map(Bout::impacts).sum(),
                 end: seconds(response.bouts.last().map_or(0.0, Bout::end)),
-                ending: response.bouts.last().map_or("never rocks", |bout| bout.outcome.name()),
+                ending: response.bouts.last().map_or("never rocks", Bout::ending),
             }),
         })
     }
 
     fn chattering_time(&self, oracle: &dyn Oracle, case: &Case, bout: &Bout) -> ChatteringTime {
         let complete = match bout.outcome {
+            _ if bout.is_unsure() => None,
             BoutEnd::Complete { .. } => Some(true),
             BoutEnd::Overturned | BoutEnd::Cut => Some(false),
             _ => None,
         };
-        let tau = complete.filter(|complete| *complete).map(|_| bout.duration - bout.start);
+        let tau = (complete == Some(true)).then_some(bout.duration - bout.start);
         // From the threshold on moving ground it is that of the case, for which the oracle claims an error too.
         let shaken = bout.flights.iter().all(|flight| flight.departure.ground == Ground::Shaking);
         let of_case = case.with_max_impacts(IMPACTS).ok().filter(|_| bout.start == 0.0 && shaken);
@@ -136,7 +137,7 @@ impl Scene {
             meets_tolerance: relative.map(|relative| relative <= self.ask.tolerance),
             complete,
             after_the_motion: !shaken,
-            ending: bout.outcome.name(),
+            ending: bout.ending(),
         }
     }
 }

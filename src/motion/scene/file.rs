@@ -111,7 +111,8 @@ pub struct GroundFields {
     #[schemars(with = "Frequency")]
     #[serde(deserialize_with = "frequency")]
     pub frequency: Spanned<Frequency>,
-    /// The phase at `t = 0` in radians. Unless given the motion starts at the threshold, so that the block begins to rock at once.
+    /// The phase at `t = 0` in radians. Unless given the motion starts at the threshold, so that the block begins to rock at once; one that stays below it starts at
+    /// its peak.
     #[schemars(with = "Option<f64>")]
     pub phase: Option<Spanned<f64>>,
     /// How long the ground moves; without end unless given.

@@ -26,7 +26,8 @@ impl Scene {
             return Err(Invalid::new("until", format!("{until:?}"), "a finite time above 0 (in τ)"));
         }
         let request = Request::new(case, lasts, until.unwrap_or(limit))?;
-        Ok(Request { phase: self.ground.phase, termination: termination.check()?, ..request })
+        let lies_at = Some(std::f64::consts::FRAC_PI_2 / self.block.slenderness);
+        Ok(Request { phase: self.ground.phase, lies_at, termination: termination.check()?, ..request })
     }
 
     /// The question for the chattering time of the first rocking, to the scene's tolerance.
@@ -45,8 +46,9 @@ impl Scene {
             || matches!(self.ground.amplitude, Amplitude::OverThreshold(_))
             || (matches!(self.ground.amplitude, Amplitude::OverSlenderThreshold(_)) && self.ask.model == Model::Linear);
         let rounding = if exact { 0.0 } else { 2.0 * f64::EPSILON * case.amplitude() / case.epsilon().abs() };
-        let request = Some(request).filter(|_| case.epsilon() > 0.0 && !(from_threshold && outlasts));
-        Ok(Question { rounding, request, ..Question::new(case, self.ask.tolerance) })
+        let is_case = case.epsilon() <= 0.0 || (from_threshold && outlasts);
+        let (request, afterwards) = if is_case { (None, Some(request)) } else { (Some(request), None) };
+        Ok(Question { rounding, request, afterwards, ..Question::new(case, self.ask.tolerance) })
     }
 
     /// The case with its amplitude over the threshold of its own model, `g α` or `g tan α`, as responses are counted.

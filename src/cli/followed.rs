@@ -1,0 +1,54 @@
+//! What happens in a scene where that is not the history of a case: the motion of the ground starts elsewhere or ends, or the block rocks on after half a period.
+
+use anyhow::anyhow;
+use chattercheck::motion::{
+    response::{Bout, Response, Termination},
+    scene::Scene,
+};
+use contract::{Ending, Oracle};
+
+use super::case_flags::CaseFlags;
+
+/// The response of a scene by an oracle.
+pub(super) struct Followed {
+    /// The scene.
+    pub scene: Scene,
+    /// Its response.
+    pub response: Response,
+}
+
+impl Followed {
+    /// The first rocking, if the block ever rocks.
+    pub fn first(&self) -> Option<&Bout> {
+        self.response.bouts.first()
+    }
+}
+
+/// The response of the scene of the flags by `oracle`; `None` if there is no scene, or it is no more than a case: one with the ending given, or if none is given, one
+/// that the oracle has yet to be asked.
+///
+/// # Errors
+/// When the oracle can't follow the scene.
+pub(super) fn follow(
+    flags: &CaseFlags,
+    oracle: &dyn Oracle,
+    ending: Option<Ending>,
+) -> anyhow::Result<Option<Followed>> {
+    let Some(scene) = flags.scene()? else { return Ok(None) };
+    let goes_on = match ending {
+        None => scene.question()?.request.is_some(),
+        Some(Ending::Incomplete | Ending::Overturned | Ending::LimitReached(contract::Limit::Time)) => true,
+        Some(_) => false,
+    };
+    if !goes_on {
+        return Ok(None);
+    }
+    let request = scene.response(flags.until(), Termination::Exact)?;
+    let response = Response::new(oracle, &request).map_err(|decline| {
+        anyhow!(
+            "{} declines what the scene has beyond a case, a motion that starts elsewhere than at the threshold or ends, or goes on after half a period: {decline}; --oracle auto does it",
+            oracle.name()
+        )
+    })?;
+    Ok(Some(Followed { scene, response }))
+}

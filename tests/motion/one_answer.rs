@@ -1,0 +1,103 @@
+//! One scene has one answer, whichever command is asked.
+
+use approx::assert_relative_eq;
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn run(arguments: &[&str]) -> (i32, String, String) {
+    let output = Command::cargo_bin("chattercheck").unwrap().args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let (status, stdout, stderr) = run(&[arguments, &["--format", "json"]].concat());
+    assert_eq!(status, 0, "{arguments:?}: {stderr}");
+    serde_json::from_str(&stdout).unwrap()
+}
+
+/// A pulse that is over before the block has come to rest, and a motion that goes on in which it never does.
+#[test]
+fn every_command_tells_the_same_of_a_pulse() {
+    let file = "data/scenes/found/one_sine_pulse.toml";
+    let scene = json(&["scene", file]);
+    let seconds = scene["chattering_time"]["seconds"].as_f64().unwrap();
+    for (oracle, tolerance) in [("auto", 1e-6), ("taylor", 1e-12), ("ode", 1e-6)] {
+        let answer = json(&["chattering-time", "--scene", file, "--oracle", oracle]);
+        assert_eq!(answer["complete"], true, "{oracle}");
+        let off = answer["seconds"].as_f64().unwrap() / seconds - 1.0;
+        assert!(off.abs() <= tolerance, "{oracle}: {off}");
+    }
+    let planned = json(&["plan", file]);
+    assert!((planned["answer"]["seconds"].as_f64().unwrap() / seconds - 1.0).abs() < 1e-6);
+    let p = scene["frequency_parameter"].as_f64().unwrap();
+    let response = json(&["response", file]);
+    let bout = &response["bouts"][0];
+    // But for how JSON is read here these are the same doubles.
+    assert_relative_eq!(
+        bout["from"].as_f64().unwrap() / p,
+        scene["initiation"].as_f64().unwrap(),
+        max_relative = 1e-15
+    );
+    let times = scene["impact_times"].as_array().unwrap();
+    assert_eq!(bout["impacts"].as_u64().unwrap() as usize, times.len());
+    let listed = json(&["simulate", "--scene", file, "--impacts", "1000"]);
+    let listed = listed["impacts"].as_array().unwrap();
+    assert_eq!((listed.len(), listed[0]["tau"].as_f64()), (times.len() + 1, bout["from"].as_f64()));
+    for (row, time) in listed.iter().skip(1).zip(times) {
+        assert_relative_eq!(row["tau"].as_f64().unwrap() / p, time.as_f64().unwrap(), max_relative = 1e-15);
+        let (velocity, sign) = (row["velocity"].as_f64().unwrap(), row["sign"].as_f64().unwrap());
+        assert!(velocity * sign > 0.0);
+    }
+    let intervals: f64 = listed.iter().skip(1).map(|row| row["interval"].as_f64().unwrap()).sum();
+    assert!(
+        (intervals - (listed.last().unwrap()["tau"].as_f64().unwrap() - listed[0]["tau"].as_f64().unwrap())).abs()
+            < 1e-12
+    );
+}
+
+/// An oracle that only knows cases says so.
+#[test]
+fn an_oracle_that_cannot_follow_a_scene_refuses_it() {
+    let file = "data/scenes/found/one_sine_pulse.toml";
+    for command in ["chattering-time", "simulate"] {
+        let (status, stdout, stderr) = run(&[command, "--scene", file, "--oracle", "enclosure"]);
+        assert_eq!((status, stdout.as_str(), stderr.lines().count()), (2, "", 1), "{command}: {stderr}");
+        assert!(stderr.contains("enclosure") && stderr.contains("auto"), "{stderr}");
+    }
+}
+
+/// A case is answered as ever by an oracle that knows no more: the scene is no more than that.
+#[test]
+fn a_scene_that_is_a_case_is_answered_as_one() {
+    let file = "data/scenes/paper_fig_9.toml";
+    let scene = json(&["scene", file])["chattering_time"]["tau_ch"].as_f64().unwrap();
+    for oracle in ["closed-form", "enclosure", "auto"] {
+        let answer = json(&["chattering-time", "--scene", file, "--oracle", oracle]);
+        assert!((answer["tau_ch"].as_f64().unwrap() / scene - 1.0).abs() < 1e-6, "{oracle}");
+    }
+}
+
+#[test]
+fn the_found_scenes_are_answered_right() {
+    let ending = |file: &str| json(&["response", &format!("data/scenes/found/{file}.toml")]);
+    let back = ending("comes_back");
+    assert_eq!((back["bouts"][0]["ending"].as_str(), back["bouts"].as_array().unwrap().len()), (Some("complete"), 1));
+    let scene = json(&["scene", "data/scenes/found/comes_back.toml"]);
+    let first = scene["impact_times"][0].as_f64().unwrap() * scene["frequency_parameter"].as_f64().unwrap();
+    assert!((first - 4.534_790_41).abs() < 1e-8, "{first}");
+    let long = ending("hardly_damped");
+    assert!((long["bouts"][0]["to"].as_f64().unwrap() - 20_075.896_946_342_1).abs() < 1e-9);
+    let falls = ending("lies_on_its_side");
+    assert_eq!(falls["bouts"][0]["ending"], "overturned");
+    assert_eq!(falls["bouts"][0]["to"], falls["end"]);
+    let (_, rows, summary) = run(&["response", "data/scenes/found/lies_on_its_side.toml"]);
+    assert!(rows.trim_end().ends_with("lying") && summary.contains("lies on its side"), "{summary}");
+    assert_eq!(ending("below_the_threshold")["bouts"].as_array().unwrap().len(), 0);
+    let (_, rows, _) = run(&["response", "data/scenes/found/below_the_threshold.toml", "--steps", "10"]);
+    for row in rows.lines().skip(1) {
+        let cells: Vec<f64> = row.split(',').take(4).map(|cell| cell.parse().unwrap()).collect();
+        let omega = ending("below_the_threshold")["omega"].as_f64().unwrap();
+        assert!((cells[3] - 0.15 * (omega * cells[0] + 0.4).sin()).abs() < 1e-13, "{row}");
+    }
+}
