@@ -133,8 +133,9 @@ fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
         .as_ref()
         .map(|rests| format!("at rest (s): {}", list(rests.iter().map(|(from, to)| format!("{from:.6} to {to:.6}")))));
     let whole = response.map(|response| {
+        let times = if response.bouts == 1 { "time" } else { "times" };
         format!(
-            "rocks {} times from rest to rest, with {} impacts resolved, until {:.6} s: {}",
+            "rocks {} {times} from rest to rest, with {} impacts resolved, until {:.6} s: {}",
             response.bouts, response.impacts, response.end, response.ending
         )
     });

@@ -89,7 +89,8 @@ fn falls(a: f64, omega: f64, alpha: f64, cycles: f64) -> Option<bool> {
 fn the_block_as_it_is_overturns_from_the_amplitude_on_at_which_its_energy_takes_it_over() {
     for (omega, alpha, cycles) in [(1.0, 0.2, 0.25), (2.0, 0.5, 0.4), (0.7, 1.1, 0.3), (3.0, 0.1, 0.45)] {
         let oracle = panel::stepper_of(Model::Nonlinear);
-        let falls = |a: f64| falls(a, omega, alpha, cycles).unwrap();
+        // What is back on its base before the ground stops loses energy there, and does not fall any more.
+        let falls = |a: f64| falls(a, omega, alpha, cycles).unwrap_or(false);
         let high = (1..400).map(|k| 1.05 + 0.05 * f64::from(k)).find(|a| falls(*a)).unwrap();
         let expected = critical(1.05, high, 1e-9, falls);
         for (a, over) in [(expected - 1e-6, false), (expected + 1e-6, true)] {

@@ -91,9 +91,9 @@ pub(super) fn answer(plan: &Plan) -> Answer {
             break;
         }
     }
-    if let (Some(Outcome::Incomplete | Outcome::Overturned), Some(request)) =
-        (attempts.last().and_then(|attempt| attempt.found), &question.afterwards)
-    {
+    // What the history of a case leaves open, the response of the scene tells.
+    let open = |found| matches!(found, None | Some(Outcome::Incomplete | Outcome::Overturned));
+    if let Some(request) = question.afterwards.as_ref().filter(|_| open(attempts.last().and_then(|last| last.found))) {
         attempts.push(afterwards(question, request));
     }
     let meets = attempts.last().is_some_and(|attempt| meets(attempt.found, question.tolerance));
