@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use super::{
     Status,
+    case_facts::CaseFacts,
     case_flags::CaseFlags,
     followed::{Followed, follow},
     oracle_flags::{Asked, OracleFlags},
@@ -39,6 +40,8 @@ pub(super) struct Arguments {
 
 #[derive(Serialize)]
 struct Answer<'a> {
+    #[serde(flatten)]
+    case: CaseFacts,
     /// Whether the amplitude exceeds the threshold at all.
     rocks: bool,
     /// `null` if it does not rock, or the list of impacts is too short to tell.
@@ -145,6 +148,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         Some(Outcome::Complete(_)) => "at rest (complete chattering)",
     };
     let mut answer = Answer {
+        case: CaseFacts::of(&question.case),
         rocks: outcome != Some(Outcome::NeverRocks),
         complete: outcome.filter(|outcome| *outcome != Outcome::NeverRocks).map(|_| time.is_some()),
         tau_ch: time.map(|time| time.value),
@@ -239,6 +243,7 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
     let history = &observed.history;
     let time = observed.chattering_time;
     Answer {
+        case: CaseFacts::of(case),
         rocks: history.ending != Ending::NeverRocks,
         complete: match history.ending {
             Ending::AtRest => Some(true),

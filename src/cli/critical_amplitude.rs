@@ -23,6 +23,8 @@ pub(super) struct Arguments {
 
 #[derive(Serialize)]
 struct Answer {
+    omega: f64,
+    eta: f64,
     a_cr: f64,
     /// An amplitude whose chattering is proven to be complete, rounded down.
     lower: String,
@@ -43,6 +45,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let critical = panel::critical_amplitude(omega, eta).map_err(|decline| anyhow!("{decline}"))?;
     let [lower, upper] = critical.amplitude.decimals(DIGITS);
     let answer = Answer {
+        omega,
+        eta,
         a_cr: critical.amplitude.middle().0,
         lower,
         upper,

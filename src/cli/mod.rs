@@ -1,5 +1,6 @@
 //! The command line: one file a command; each parses, calls the library and prints.
 
+mod case_facts;
 mod case_flags;
 mod chart;
 mod chattering_time;

@@ -65,13 +65,22 @@ pub(super) fn note(text: impl fmt::Display) {
 pub(crate) enum Format {
     Text,
     Json,
+    /// JSON on one line, for answers that are collected
+    JsonLine,
+}
+
+/// An answer as JSON with a line feed: over many lines, to be read, or on one, to be collected.
+pub(super) fn json(answer: &impl Serialize, is_one_line: bool) -> serde_json::Result<String> {
+    let text = if is_one_line { serde_json::to_string(answer) } else { serde_json::to_string_pretty(answer) };
+    Ok(text? + "\n")
 }
 
 impl Format {
     /// Prints the answer: as JSON, or as `text` says it.
     pub fn print<Answer: Serialize>(self, answer: &Answer, text: impl Fn(&Answer) -> String) -> anyhow::Result<()> {
         match self {
-            Self::Json => print(&(serde_json::to_string_pretty(answer)? + "\n"))?,
+            Self::Json => print(&json(answer, false)?)?,
+            Self::JsonLine => print(&json(answer, true)?)?,
             Self::Text => print(&(text(answer) + "\n"))?,
         }
         Ok(())

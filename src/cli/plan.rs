@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::{
     Status,
+    case_facts::CaseFacts,
     case_flags::{number, read_scene},
     output::Format,
 };
@@ -32,11 +33,8 @@ pub(super) struct Arguments {
 #[derive(Serialize)]
 struct Document {
     title: String,
-    a: f64,
-    omega: f64,
-    eta: f64,
-    /// `null` for the linear model.
-    alpha: Option<f64>,
+    #[serde(flatten)]
+    case: CaseFacts,
     tolerance: f64,
     candidates: Vec<Row>,
     chosen: Option<String>,
@@ -110,10 +108,7 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
     let time = answer.chattering_time();
     Document {
         title,
-        a: case.amplitude(),
-        omega: case.omega(),
-        eta: case.eta(),
-        alpha: case.slenderness().map(|slenderness| slenderness.alpha()),
+        case: CaseFacts::of(&case),
         tolerance,
         candidates: rows.collect(),
         chosen: chosen.map(|candidate| candidate.method.to_string()),
@@ -165,14 +160,15 @@ fn largest(errors: &Errors) -> &'static str {
 }
 
 fn text(document: &Document) -> String {
-    let Document { a, omega, eta, tolerance, .. } = document;
+    let Document { case, tolerance, .. } = document;
+    let CaseFacts { a, omega, eta, .. } = case;
     let mut lines = vec![
         document.title.clone(),
         format!("  the ground acceleration is at most {a:.6} times what begins to rock the block (a);"),
         format!(
             "  the ground moves at {omega:.4} times the block's own frequency p (omega); an impact leaves {eta:.4} of the velocity (eta)"
         ),
-        document.alpha.map_or_else(
+        document.case.alpha.map_or_else(
             || "  the block is taken as slender (Eq. 4)".to_owned(),
             |alpha| {
                 format!("  the block is taken as it is (Eq. 2), {alpha:.4} rad from upright to its balance (alpha)")

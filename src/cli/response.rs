@@ -11,8 +11,9 @@ use serde::Serialize;
 
 use super::{
     Status,
+    case_facts::CaseFacts,
     case_flags::{number, read_scene},
-    output::{note, print, print_csv},
+    output::{json, note, print, print_csv},
 };
 
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
@@ -59,6 +60,8 @@ pub(super) struct Arguments {
 enum Format {
     Csv,
     Json,
+    /// JSON on one line, for answers that are collected
+    JsonLine,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -85,9 +88,8 @@ enum Fit {
 struct Document<'a> {
     title: &'a str,
     model: &'static str,
-    a: f64,
-    omega: f64,
-    eta: f64,
+    #[serde(flatten)]
+    case: CaseFacts,
     /// `p`, 1/s: a time over it is in seconds.
     frequency_parameter: f64,
     bouts: Vec<BoutRow>,
@@ -126,7 +128,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
     let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
     match arguments.format {
-        Format::Json => print(&(serde_json::to_string_pretty(&document(&scene, model, &request, &response))? + "\n"))?,
+        Format::Json | Format::JsonLine => {
+            let document = document(&scene, model, &request, &response);
+            print(&json(&document, matches!(arguments.format, Format::JsonLine))?)?;
+        }
         Format::Csv => {
             let window = arguments.window(response.end)?;
             let samples =
@@ -175,7 +180,9 @@ impl Arguments {
         ];
         let unused = given.into_iter().find_map(|(field, value)| Some((field, value?)));
         match (self.format, unused) {
-            (Format::Json, Some((field, value))) => Err(Invalid::new(field, value, "only with --format csv")),
+            (Format::Json | Format::JsonLine, Some((field, value))) => {
+                Err(Invalid::new(field, value, "only with --format csv"))
+            }
             _ => Ok(()),
         }
     }
@@ -201,9 +208,7 @@ fn document<'a>(scene: &'a Scene, model: &'static str, request: &Request, respon
     Document {
         title: &scene.title,
         model,
-        a: request.case.amplitude(),
-        omega: request.case.omega(),
-        eta: request.case.eta(),
+        case: CaseFacts::of(&request.case),
         frequency_parameter: scene.block.frequency_parameter(),
         bouts: response.bouts.iter().map(row).collect(),
         rests: response.rests().into_iter().map(|(from, to)| RestRow { from, to }).collect(),

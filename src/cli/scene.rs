@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::{
     Status,
+    case_facts::CaseFacts,
     case_flags::read_scene,
     output::{Format, print},
 };
@@ -32,13 +33,8 @@ pub(super) struct Arguments {
 #[derive(Serialize)]
 struct Answer {
     title: String,
-    a: f64,
-    epsilon: f64,
-    omega: f64,
-    eta: f64,
-    /// `null` for the linear model, which ignores it.
-    alpha: Option<f64>,
-    normalisation: Option<&'static str>,
+    #[serde(flatten)]
+    case: CaseFacts,
     model: &'static str,
     /// `p`, 1/s: a dimensionless time over it is a time in seconds.
     frequency_parameter: f64,
@@ -67,12 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let answers = scene.answers()?;
     let answer = Answer {
         title: scene.title.clone(),
-        a: case.amplitude(),
-        epsilon: case.epsilon(),
-        omega: case.omega(),
-        eta: case.eta(),
-        alpha: case.slenderness().map(|slenderness| slenderness.alpha()),
-        normalisation: case.slenderness().map(|s| chattercheck::cases::case_file::name_of(s.normalisation())),
+        case: CaseFacts::of(&case),
         model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
         frequency_parameter: scene.block.frequency_parameter(),
         ground_acceleration: scene.acceleration(),
@@ -88,9 +79,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 }
 
 fn text(answer: &Answer) -> String {
-    let Answer { a, omega, eta, model, frequency_parameter, ground_acceleration, .. } = answer;
-    let alpha = answer.alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha}"));
-    let normalisation = answer.normalisation.map_or(String::new(), |name| format!(" ({name} normalisation)"));
+    let Answer { case, model, frequency_parameter, ground_acceleration, .. } = answer;
+    let CaseFacts { a, omega, eta, alpha, normalisation, .. } = case;
+    let alpha = alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha}"));
+    let normalisation = normalisation.map_or(String::new(), |name| format!(" ({name} normalisation)"));
     let rocks = match (answer.answers.initiation, answer.a_cr) {
         (None, _) => "does not rock".to_owned(),
         (Some(time), None) => format!("begins to rock at {time:.6} s"),

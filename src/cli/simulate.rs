@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::{
     Status,
+    case_facts::CaseFacts,
     case_flags::CaseFlags,
     followed::{Followed, follow},
     oracle_flags::{Asked, OracleFlags},
@@ -39,6 +40,8 @@ pub(super) struct Arguments {
 enum Format {
     Csv,
     Json,
+    /// JSON on one line, for answers that are collected
+    JsonLine,
 }
 
 /// Row `n = 0` is initiation; `velocity` is that just after impact `n`, `sign` that of the flight that follows.
@@ -66,6 +69,8 @@ struct ClaimedRow {
 
 #[derive(Serialize)]
 struct Document<'a> {
+    #[serde(flatten)]
+    case: CaseFacts,
     oracle: &'a str,
     rocks: bool,
     ending: String,
@@ -104,11 +109,16 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
             rows.iter().try_for_each(|row| csv.serialize(row))?;
             csv.flush()
         })?,
-        Format::Json => {
+        Format::Json | Format::JsonLine => {
             let rocks = history.ending != Ending::NeverRocks;
-            let document =
-                Document { oracle: oracle.name(), rocks, ending: ending.clone(), impacts: claimed(rows, &history) };
-            output::print(&(serde_json::to_string_pretty(&document)? + "\n"))?;
+            let document = Document {
+                case: CaseFacts::of(&case),
+                oracle: oracle.name(),
+                rocks,
+                ending: ending.clone(),
+                impacts: claimed(rows, &history),
+            };
+            output::print(&output::json(&document, matches!(arguments.format, Format::JsonLine))?)?;
         }
     }
     output::note(format_args!("{}: {ending} after {} impacts", oracle.name(), history.impacts.len()));

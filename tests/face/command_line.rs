@@ -328,3 +328,34 @@ fn what_the_judge_is_asked_wrongly_is_refused() {
     refused("verify --judge 0", &["judge", "0", "N >= 1"]);
     refused("verify --judge some", &["judge", "some", "all"]);
 }
+
+/// Answers that are collected say what they answer, on one line if that is asked.
+#[test]
+fn json_repeats_the_case_and_goes_on_one_line() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/paper_fig_9.toml");
+    let flags = "--epsilon 0.03 --omega 2 --eta 0.92 --alpha 0.2 --normalisation slender";
+    for command in [format!("chattering-time {flags}"), format!("simulate {flags} --impacts 3")] {
+        let answer = json(&format!("{command} --format json"));
+        for (field, value) in [("a", 1.03), ("epsilon", 0.03), ("omega", 2.0), ("eta", 0.92), ("alpha", 0.2)] {
+            assert_eq!(answer[field].as_f64(), Some(value), "{command}: {field}");
+        }
+        assert_eq!(answer["normalisation"], "slender");
+    }
+    let slender = json("chattering-time --a 1.03 --omega 2 --eta 0.92 --format json");
+    assert!(slender["alpha"].is_null() && slender["normalisation"].is_null());
+    let critical = json("critical-amplitude --omega 2 --eta 0.5 --format json");
+    assert_eq!((critical["omega"].as_f64(), critical["eta"].as_f64()), (Some(2.0), Some(0.5)));
+    for command in [
+        format!("chattering-time {flags}"),
+        format!("simulate {flags} --impacts 3"),
+        "critical-amplitude --omega 2 --eta 0.5".to_owned(),
+        format!("response {scene}"),
+        format!("plan {scene}"),
+    ] {
+        let line = stdout(&format!("{command} --format json-line"));
+        assert!(line.ends_with('\n') && line.lines().count() == 1, "{command}: {line}");
+        let one: Value = serde_json::from_str(&line).unwrap();
+        assert_eq!(one, json(&format!("{command} --format json")), "{command}");
+        assert!(one["omega"].is_f64() && one["eta"].is_f64(), "{command}: {line}");
+    }
+}
