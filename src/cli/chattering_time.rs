@@ -183,6 +183,7 @@ fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow:
     let rests = bout.filter(|bout| matches!(bout.outcome, BoutEnd::Complete { .. }) && !bout.is_unsure());
     let time = rests.map(|bout| bout.duration - bout.start);
     let answer = Answer {
+        case: CaseFacts::of(&followed.scene.case()?),
         rocks: bout.is_some(),
         complete: bout.and_then(|bout| match bout.outcome {
             _ if bout.is_unsure() => None,
