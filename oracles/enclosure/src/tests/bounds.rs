@@ -1,6 +1,15 @@
 //! What the outside sees of an interval.
 
-use crate::{bounds::Bounds, digits::Digits, interval::Interval, twofold::Twofold};
+use core::cmp::Ordering;
+
+use contract::Ending;
+use dashu_int::IBig;
+use proptest::prelude::*;
+
+use super::exact::{Exact, not_above, not_below};
+use crate::{
+    Enclosed, EnclosedImpact, bounds::Bounds, digits::Digits, directed::Directed, interval::Interval, twofold::Twofold,
+};
 
 fn between(lower: f64, upper: f64) -> Bounds {
     Bounds::new(&Interval::<f64>::between(lower, upper)).unwrap()
@@ -81,4 +90,90 @@ fn ends_that_have_crossed_are_no_bounds() {
     assert_eq!((between(-2.0, 3.0).lower(), between(-2.0, 3.0).upper()), (-2.0, 3.0));
     let [outer, inner] = [between(-2.0, 3.0), between(-2.0, 2.5)];
     assert!(outer.contain(&inner) && !inner.contain(&outer) && !between(-1.9, 9.0).contain(&inner));
+}
+
+/// Two numbers of many bits, the lower first.
+fn ends<F: Directed>(a: f64, b: f64) -> Interval<F> {
+    let third = |x: f64, above: bool| {
+        let (x, three) = (F::exactly(x), F::exactly(3.0));
+        if above { x.over_above(&three) } else { x.over_below(&three) }
+    };
+    Interval { lower: third(a.min(b), false), upper: third(a.max(b), true) }
+}
+
+/// A decimal with its point moved behind its last digit.
+fn without_point(decimal: &str) -> Exact {
+    Exact::whole(decimal.replace('.', "").parse::<IBig>().unwrap())
+}
+
+/// Doubles and decimals that are handed out are outside of the exact ends, and the next but one (or the next decimal) is not.
+fn outside<F: Directed>(interval: &Interval<F>, digits: u32) -> Result<(), TestCaseError> {
+    let bounds = Bounds::new(interval).unwrap();
+    let [lower, upper] = [&interval.lower, &interval.upper].map(|end| Exact::of(end).unwrap());
+    prop_assert!(not_above(&bounds.lower(), &lower) && not_below(&bounds.lower().next_up().next_up(), &lower));
+    prop_assert!(not_below(&bounds.upper(), &upper) && not_above(&bounds.upper().next_down().next_down(), &upper));
+    let width = upper.plus(&lower.negated());
+    prop_assert!(not_below(&bounds.width(), &width) && not_above(&(bounds.width() * (1.0 - 1e-15)), &width));
+
+    let (middle, claim) = bounds.middle();
+    let (middle, claim) = (Exact::double(middle), Exact::double(claim));
+    prop_assert!(middle.plus(&claim.negated()).compare(&lower) != Ordering::Greater, "claim, lower");
+    prop_assert!(middle.plus(&claim).compare(&upper) != Ordering::Less, "claim, upper");
+
+    let scale = Exact::whole(IBig::from(10).pow(digits as usize));
+    let [below, above] = bounds.decimals(digits).map(|decimal| without_point(&decimal));
+    let one = Exact::double(1.0);
+    let (low, high) = (lower.times(&scale), upper.times(&scale));
+    prop_assert!(below.compare(&low) != Ordering::Greater && below.plus(&one).compare(&low) == Ordering::Greater);
+    prop_assert!(above.compare(&high) != Ordering::Less && above.plus(&one.negated()).compare(&high) == Ordering::Less);
+    Ok(())
+}
+
+/// The same of what a history claims: each value is within its claim of both ends, the relative ones of the smaller of the two.
+fn claimed<F: Directed>(interval: &Interval<F>) -> Result<(), TestCaseError> {
+    let bounds = Bounds::new(interval).unwrap();
+    let [lower, upper] = [&interval.lower, &interval.upper].map(|end| Exact::of(end).unwrap());
+    let impact = EnclosedImpact { time: bounds.clone(), interval: bounds.clone(), velocity: bounds.clone() };
+    let enclosed = Enclosed {
+        impacts: vec![impact],
+        ending: Ending::AtRest,
+        chattering_time: Some(bounds.clone()),
+        bits: F::BITS,
+    };
+    let history = enclosed.history();
+    let (impact, total) = (history.impacts[0], history.chattering_time.unwrap());
+    let smaller = if lower.is_negative() { upper.negated() } else { lower.clone() };
+    let absolute = |claim: f64| Exact::double(claim);
+    let relative = |claim: f64| Exact::double(claim).times(&smaller);
+    for (value, claim) in [
+        (impact.time, absolute(impact.uncertainty.time)),
+        (impact.interval, relative(impact.uncertainty.interval)),
+        (impact.velocity, relative(impact.uncertainty.velocity)),
+        (total.value, absolute(total.uncertainty)),
+    ] {
+        let value = Exact::double(value);
+        prop_assert!(value.plus(&claim.negated()).compare(&lower) != Ordering::Greater, "lower");
+        prop_assert!(value.plus(&claim).compare(&upper) != Ordering::Less, "upper");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn what_is_handed_out_is_outside_of_the_exact_ends(
+        a in -9.0..9.0_f64, apart in -18..1_i32, exponent in -40..40_i32, digits in 0..40_u32,
+    ) {
+        let a = a * (2.0_f64).powi(exponent);
+        let b = a + a.abs() * (10.0_f64).powi(apart);
+        outside::<f64>(&ends(a, b), digits)?;
+        outside::<Twofold>(&ends(a, b), digits)?;
+        outside::<Digits<128>>(&ends(a, b), digits)?;
+        if a != 0.0 && a.signum() == b.signum() {
+            claimed::<f64>(&ends(a, b))?;
+            claimed::<Twofold>(&ends(a, b))?;
+            claimed::<Digits<192>>(&ends(a, b))?;
+        }
+    }
 }

@@ -19,6 +19,10 @@ impl Exact {
         Self::of(&value).unwrap()
     }
 
+    pub fn whole(number: IBig) -> Self {
+        Self(number, 0)
+    }
+
     fn at(&self, exponent: isize) -> IBig {
         &self.0 << self.1.abs_diff(exponent)
     }
@@ -30,6 +34,10 @@ impl Exact {
 
     pub fn times(&self, other: &Self) -> Self {
         Self(&self.0 * &other.0, self.1 + other.1)
+    }
+
+    pub fn negated(&self) -> Self {
+        Self(-&self.0, self.1)
     }
 
     pub fn compare(&self, other: &Self) -> Ordering {
