@@ -54,6 +54,17 @@ fn random_cases_reach_every_regime() {
     reaches("fast excitation", 40, &|case| case.omega() > 8.0);
     reaches("slender blocks", 400, &|case| case.slenderness().unwrap().alpha() < 0.05);
     reaches("stocky blocks", 400, &|case| case.slenderness().unwrap().alpha() > 0.2);
+    // One of eight is from far outside, where a fault that shows there only has nowhere else to be seen.
+    reaches("restitution below 0.5", 100, &|case| case.eta() < 0.5);
+    reaches("restitution below 0.1", 25, &|case| case.eta() < 0.1);
+    reaches("restitution above 0.99", 25, &|case| case.eta() > 0.99);
+    reaches("restitution above 0.999", 10, &|case| case.eta() > 0.999);
+    reaches("very slow excitation", 80, &|case| case.omega() < 0.1);
+    reaches("very fast excitation", 80, &|case| case.omega() > 20.0);
+    reaches("below 0.5 and very fast", 20, &|case| case.eta() < 0.5 && case.omega() > 20.0);
+    reaches("amplitudes of 1.1 and more", 20, &|case| case.epsilon() > 0.1);
+    reaches("amplitudes within 1e-6 of the threshold", 30, &|case| case.epsilon() < 1e-6);
+    reaches("very stocky blocks", 40, &|case| case.slenderness().unwrap().alpha() > 0.5);
     let distinct = |of: fn(&Case) -> f64| {
         let mut values: Vec<u64> = cases.iter().map(|named| of(&named.case).to_bits()).collect();
         values.sort_unstable();

@@ -60,3 +60,36 @@ fn is_negligible<T: Number>(factor: f64, power: &Series<T>, [sum, ..]: &[Series<
     let factor = factor / T::NEGLIGIBLE;
     power.0.iter().zip(&sum.0).all(|(term, sum)| (factor * term.rounded()).abs() <= sum.rounded().abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use twofloat::TwoFloat;
+
+    use super::*;
+
+    /// Of a constant duration the coefficients of each kernel are those of its definition, one by one; the powers are kept exact.
+    #[test]
+    fn every_coefficient_is_right_to_the_digits_of_two_doubles() {
+        const TERMS: usize = 14;
+        let (duration, q) = (1.5, 0.25);
+        let kernels = Kernels::new(&Series::constant(real::<TwoFloat>(duration), TERMS), real(q), real(1.0));
+        let factorial = |n: usize| (1..=n).fold(real::<TwoFloat>(1.0), |product, k| product * k as f64);
+        for m in 0..TERMS as i32 {
+            let w = real::<TwoFloat>((duration * duration).powi(m));
+            let sign = |k: i32| if k % 2 == 0 { 1.0 } else { -1.0 };
+            let forced: f64 = (0..=m).map(|k| q.powi(k) * sign(m - k)).sum();
+            for j in 0..3 {
+                let n = 2 * m as usize + j;
+                for (found, factor, n) in [
+                    (&kernels.of_state[j], q.powi(m), n),
+                    (&kernels.of_phase[j], sign(m), n),
+                    (&kernels.of_forcing[j], forced, n + 2),
+                ] {
+                    let expected = (w * factor).over(factorial(n));
+                    let error = (found.0[m as usize] - expected).hi().abs();
+                    assert!(error < 1e-28 * expected.hi().abs(), "{m} {j}: {} {expected}", found.0[m as usize]);
+                }
+            }
+        }
+    }
+}

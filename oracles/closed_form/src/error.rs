@@ -2,7 +2,7 @@
 
 use crate::{
     UNIT,
-    flight::{Landing, Takeoff},
+    takeoff::{Landing, Takeoff},
 };
 
 /// The covariance of the errors after an impact, of the time (absolute) and of the speed (relative, for its square to stay in the range of a
@@ -28,7 +28,7 @@ impl Errors {
     /// The errors after an impact, and the variance of that of the interval, relative.
     #[inline]
     pub fn after(&self, takeoff: &Takeoff, landing: &Landing) -> (Self, f64) {
-        let Landing { interval, by_speed: (sinh, cosh), by_time: (tilt, turn), rounding: (rotation, gain), .. } =
+        let Landing { interval, by_speed: (sinh, cosh), by_time: (tilt, turn), rounding: (rotation, loss), .. } =
             *landing;
         let slowness = -1.0 / landing.velocity.min(-f64::MIN_POSITIVE);
         // What errors of the time (absolute) and the speed (relative) make of the interval (relative), by u = 0; and what the flight adds.
@@ -37,11 +37,11 @@ impl Errors {
         let (stretch_by_time, stretch_by_speed) = (by_time * per_interval, by_speed * per_interval);
         let own = 1.0 + rotation * slowness;
         // The same of the speed after the impact. Moving the impact by ds changes the speed by u'' ds; an error of its own place leaves out
-        // what the parabola changes without changing the gain.
+        // what the parabola changes without changing the loss.
         let time = -slowness * (turn + landing.acceleration * by_time);
         let speed = -slowness * (cosh * takeoff.speed + landing.acceleration * by_speed);
         let moved = -slowness * landing.off_parabola * interval;
-        let added = slowness * gain;
+        let added = slowness * loss;
 
         let with_time = stretch_by_time * self.time + stretch_by_speed * self.both;
         let with_speed = stretch_by_time * self.both + stretch_by_speed * self.speed;

@@ -2,64 +2,11 @@
 
 use crate::{
     UNIT,
-    flow::{Flow, Motion},
+    flow::Motion,
     forcing::{Excitation, Forcing},
     march,
-    twofold::Twofold,
+    takeoff::{Landing, Outcome, Takeoff},
 };
-
-/// Everything that one flight needs to know.
-#[derive(Clone, Copy)]
-pub(crate) struct Takeoff<'a> {
-    pub excitation: &'a Excitation,
-    pub flow: &'a Flow<f64>,
-    /// When it starts.
-    pub time: Twofold,
-    /// `i`, the sign of the rotation.
-    pub sign: f64,
-    /// The speed away from the base, `i φ'`: zero only at initiation.
-    pub speed: f64,
-    /// The forcing at the start.
-    pub forcing: Forcing,
-    /// Where the last flight of the same sign suggests that the impact is, if there was one.
-    pub guess: Option<f64>,
-    /// How long the flight is followed.
-    pub horizon: f64,
-}
-
-/// How a flight ends.
-pub(crate) enum Outcome {
-    Landing(Landing),
-    /// It passes the horizon in the air.
-    Aloft,
-    /// No return is possible.
-    Overturned,
-    /// The iteration did not end; the sequence is reported as lost. Known to happen just above the threshold of very slow shaking (`ε = 5e-13`, `ω = 2e-6`).
-    Stuck,
-}
-
-/// The impact, and how it responds to what the flight started with.
-pub(crate) struct Landing {
-    /// How long the flight lasted.
-    pub interval: f64,
-    /// `u' + v`: how much slower it lands than it left. Eq. 68, a first-order statement, has it zero.
-    pub gain: f64,
-    /// `u'` at the impact.
-    pub velocity: f64,
-    /// `u''` at the impact.
-    pub acceleration: f64,
-    /// `u'' - 2u'/s` at the impact: zero on a parabola.
-    pub off_parabola: f64,
-    /// The derivatives of `u` and `u'` by the speed at the start: `sinh` and `cosh` of the interval.
-    pub by_speed: (f64, f64),
-    /// The derivatives of `u` and `u'` by the time of the start.
-    pub by_time: (f64, f64),
-    /// The rounding errors of `u/s` and of the gain, absolute, in units of the unit round-off.
-    pub rounding: (f64, f64),
-}
-
-/// Up to which `max(1, ω) s` two terms of the series of the derivatives are enough.
-const SHORT: f64 = 0.25;
 
 /// How often a step of Newton's method is tried before the flight is marched through instead.
 const NEWTON_STEPS: usize = 12;
@@ -102,13 +49,13 @@ impl Takeoff<'_> {
             }
             let step = halley(&motion);
             s += s * step;
-            // The gain is wanted at the root itself. Its slope carries it over a step that is so small that the square is nothing
+            // The loss is wanted at the root itself. Its slope carries it over a step that is so small that the square is nothing
             // beside the speed.
-            let gain = motion.gain + step * motion.bend;
+            let loss = motion.loss + step * motion.bend;
             let left_out = step * step * motion.bend.abs();
-            let velocity = gain - self.speed;
+            let velocity = loss - self.speed;
             if step.abs() <= 1e-6 && left_out <= -1e-18 * velocity {
-                return Some(self.landing(s, gain, left_out, motion.bend));
+                return Some(self.landing(s, loss, left_out, motion.bend));
             }
         }
         None
@@ -162,56 +109,35 @@ impl Takeoff<'_> {
 
     /// What is known at the impact.
     #[inline(always)]
-    fn landing(&self, interval: f64, gain: f64, left_out: f64, bend: f64) -> Landing {
+    fn landing(&self, interval: f64, loss: f64, left_out: f64, bend: f64) -> Landing {
         let Forcing { acceleration, jerk, snap, rounding } = self.forcing;
         let (s, z) = (interval, interval * interval);
-        let velocity = gain - self.speed;
+        let velocity = loss - self.speed;
         // u'' = s h'' + 2 h', and s h' = u' at the impact
         let inverse = 1.0 / s;
         let off_parabola = bend * inverse;
         let acceleration_there = off_parabola + 2.0 * velocity * inverse;
         let (by_speed, by_time) = self.derivatives(s, velocity, acceleration_there);
         // The parabola, v + b s/2, is rounded twice, each time by half a unit of v. The factors of the rest of h, and of
-        // the gain, are measured (see `error`).
+        // the loss, are measured (see `error`).
         let (pull, push) = (acceleration.abs(), jerk.abs());
         let parabola = self.speed + 0.5 * s * pull;
         let rest = z * (self.speed + push + 0.25 * s * (pull + snap.abs())) * (1.0 / 6.0);
-        let gain_size = z * (self.speed + push + 0.5 * s * (pull + snap.abs())) * (1.0 / 6.0);
-        // An error of the forcing moves u by db s²/2 + dj s³/6, and the gain by db s³/12 + dj s²/6 at the most.
+        let loss_size = z * (self.speed + push + 0.5 * s * (pull + snap.abs())) * (1.0 / 6.0);
+        // An error of the forcing moves u by db s²/2 + dj s³/6, and the loss by db s³/12 + dj s²/6 at the most.
         let from_jerk = rounding.1 * z / 6.0;
         let deflated_error = parabola + 3.0 * rest + 0.5 * s * rounding.0 + from_jerk;
-        let gain_error = 1.5 * gain_size + s * z * rounding.0 / 12.0 + from_jerk;
+        let loss_error = 1.5 * loss_size + s * z * rounding.0 / 12.0 + from_jerk;
         Landing {
             interval,
-            gain,
+            loss,
             velocity,
             acceleration: acceleration_there,
             off_parabola,
             by_speed,
             by_time,
-            rounding: (deflated_error, gain_error + left_out / UNIT),
+            rounding: (deflated_error, loss_error + left_out / UNIT),
         }
-    }
-
-    /// The derivatives of `u` and `u'` at `s` by the speed at the start, and by the time of the start. Errors are carried with them, and
-    /// nearly cancel over some long flights, so they have to be right to many digits there.
-    #[inline]
-    pub fn derivatives(&self, s: f64, velocity: f64, acceleration: f64) -> ((f64, f64), (f64, f64)) {
-        let Forcing { acceleration: pull, jerk, snap, .. } = self.forcing;
-        let (z, omega) = (s * s, self.excitation.omega);
-        let q = 1.0 - omega * omega;
-        if s * omega.max(1.0) > SHORT {
-            let growth = s.exp();
-            let (sinh, cosh) = (0.5 * (growth - 1.0 / growth), 0.5 * (growth + 1.0 / growth));
-            // The equation is linear: u_τ = u' - v cosh s - b sinh s, and its derivative.
-            let tilt = velocity - self.speed * cosh - pull * sinh;
-            return ((sinh, cosh), (tilt, acceleration - self.speed * sinh - pull * cosh));
-        }
-        let sinh = s * (1.0 + z * (1.0 / 6.0 + z * (1.0 / 120.0)));
-        let cosh = 1.0 + z * (0.5 + z * (1.0 / 24.0 + z * (1.0 / 720.0)));
-        let tilt = z * (jerk * (0.5 + q * z * (1.0 / 24.0)) + s * snap * (1.0 / 6.0 + q * z * (1.0 / 120.0)));
-        let turn = s * (jerk * (1.0 + q * z * (1.0 / 6.0)) + s * snap * (0.5 + q * z * (1.0 / 24.0)));
-        ((sinh, cosh), (tilt, turn))
     }
 }
 

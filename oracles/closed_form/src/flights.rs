@@ -3,12 +3,12 @@
 use contract::{Arrival, Case, Departure, Estimate, FlightSolver, Ground, Loss};
 
 use crate::{
-    flight::{Outcome, Takeoff},
     flow::Flow,
     forcing::Excitation,
     march::{self, End},
     rest::ProofOfRest,
     still,
+    takeoff::{Outcome, Takeoff},
     twofold::Twofold,
 };
 

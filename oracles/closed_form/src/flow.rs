@@ -15,9 +15,9 @@
 //! that is small, and is summed by itself:
 //!
 //! ```text
-//! gain = u' - 2h + v = z (O + 2z O' + s (2E + 2z E'))
-//! s h' = gain - v + h
-//! s² h'' = s gain' = z (2O + 10z O' + 4z² O'' + s (6E + 14z E' + 4z² E''))
+//! loss = u' - 2h + v = z (O + 2z O' + s (2E + 2z E'))
+//! s h' = loss - v + h
+//! s² h'' = s loss' = z (2O + 10z O' + 4z² O'' + s (6E + 14z E' + 4z² E''))
 //! ```
 //!
 //! so at the impact, `h = 0`, no rounding error builds up over thousands of flights.
@@ -27,7 +27,7 @@ use crate::{dual::Scalar, forcing::Forcing};
 /// How many terms of `O` and `E` are held.
 const TERMS: usize = 11;
 
-/// How many terms are enough up to which `max(1, ω) s`; beyond, all are summed. The first term left out of `gain` is of order
+/// How many terms are enough up to which `max(1, ω) s`; beyond, all are summed. The first term left out of `loss` is of order
 /// `6 (2n+1)/(2n+3)! x^(2n)` relative to what is kept, and below 1e-16. Few ranges, as each is a branch that may be mispredicted.
 const FEW: (usize, f64) = (3, 9e-3);
 const SOME: (usize, f64) = (6, 0.32);
@@ -66,10 +66,10 @@ pub(crate) struct Motion<T> {
     pub deflated: T,
     /// `s h'`.
     pub slope: T,
-    /// `s² h''`, which is `s` times the derivative of the gain.
+    /// `s² h''`, which is `s` times the derivative of the loss.
     pub bend: T,
     /// `u' - 2h + v`, which at the impact is `u' + v`: how much slower the flight lands than it left.
-    pub gain: T,
+    pub loss: T,
 }
 
 /// The series are summed for `max(1, ω) s` up to here.
@@ -147,11 +147,11 @@ impl<T: Scalar> Motion<T> {
         let Sums { value: [o, e], slope: [o1, e1], bend: [o2, e2] } = sums;
         let z = s * s;
         let deflated = velocity + (s.scaled(0.5) * forcing.acceleration + z * (o + s * e));
-        let gain = z * ((o + z.scaled(2.0) * o1) + s.scaled(2.0) * (e + z * e1));
+        let loss = z * ((o + z.scaled(2.0) * o1) + s.scaled(2.0) * (e + z * e1));
         let bend = z
             * ((o.scaled(2.0) + z * (o1.scaled(10.0) + z.scaled(8.0) * o2))
                 + s * (e.scaled(6.0) + z * (e1.scaled(14.0) + z.scaled(8.0) * e2)));
-        Self { deflated, slope: (deflated - velocity) + gain, bend, gain }
+        Self { deflated, slope: (deflated - velocity) + loss, bend, loss }
     }
 }
 
@@ -194,9 +194,9 @@ mod tests {
         }
     }
 
-    /// `h`, `s h'`, `s² h''` and the gain from `u`, `u'`, `u''` of Eq. 6, of which they are what is left of a quotient by `s`.
+    /// `h`, `s h'`, `s² h''` and the loss from `u`, `u'`, `u''` of Eq. 6, of which they are what is left of a quotient by `s`.
     #[test]
-    fn slope_bend_and_gain_are_those_of_eq_6() {
+    fn slope_bend_and_loss_are_those_of_eq_6() {
         let forcing = Forcing { acceleration: -0.7, jerk: 0.4, snap: -1.3, rounding: (0.0, 0.0) };
         for omega in [0.3f64, 1.0, 2.0, 8.0] {
             let flow = Flow::new(omega);
@@ -207,7 +207,7 @@ mod tests {
                 let second = u - 0.7 + 0.4 * sin / omega - 1.3 * (1.0 - cos) / (omega * omega);
                 let motion = flow.after_impact(s, 0.5, &forcing);
                 assert_relative_eq!(motion.slope, rate - u / s, epsilon = 1e-14);
-                assert_relative_eq!(motion.gain, rate - 2.0 * u / s + 0.5, epsilon = 1e-14);
+                assert_relative_eq!(motion.loss, rate - 2.0 * u / s + 0.5, epsilon = 1e-14);
                 assert_relative_eq!(motion.bend, s * second - 2.0 * (rate - u / s), epsilon = 1e-13);
             }
         }
@@ -247,7 +247,29 @@ mod tests {
                 let all = flow.first_terms::<TERMS>(s, [0.25 * s, forcing.acceleration], &forcing);
                 let full = Motion::after_impact(s, 0.25 * s, &forcing, all);
                 assert_relative_eq!(short.deflated, full.deflated, epsilon = 4e-16 * s, max_relative = 4e-16);
-                assert_relative_eq!(short.gain, full.gain, max_relative = 4e-16);
+                assert_relative_eq!(short.loss, full.loss, max_relative = 4e-16);
+            }
+        }
+    }
+
+    /// `1/n!`, rounded once: exact integers up to 24! fit 128 bits, and the double nearest to them is divided into 1.
+    fn inverse_factorial(n: usize) -> f64 {
+        1.0 / (1..=n as u128).product::<u128>() as f64
+    }
+
+    /// Every coefficient by itself, as the sum of all may hide an error of one: `1/(2m+1)!` and `1/(2m+2)!`, and times `q_m = (1 - (-ω²)^m)/(1 + ω²)`.
+    #[test]
+    fn every_coefficient_is_right_to_its_last_digits() {
+        for omega in [0.01f64, 0.5, 2.0, 8.0, 200.0] {
+            let square = omega * omega;
+            for (index, Row { free, forced }) in Flow::new(omega).rows.into_iter().enumerate() {
+                let m = index + 1;
+                // Σ (-ω²)^k, k < m: where all are of a size they are few.
+                let q = (0..m as i32).rev().fold(0.0, |sum, k| sum + (-square).powi(k));
+                for (which, n) in [2 * m + 1, 2 * m + 2].into_iter().enumerate() {
+                    assert_relative_eq!(free[which], inverse_factorial(n), max_relative = 4e-15);
+                    assert_relative_eq!(forced[which], q * inverse_factorial(n), max_relative = 1e-14);
+                }
             }
         }
     }

@@ -23,6 +23,7 @@ mod sensitivity;
 mod sequence;
 mod slenderness;
 mod still;
+mod takeoff;
 mod twofold;
 
 use contract::{Case, Decline, Ending, FlightSolver, History, Model, Oracle, Sensitivity, SlendernessShift};

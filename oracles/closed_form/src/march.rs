@@ -5,8 +5,8 @@
 //! the first; near a transversal impact the steps converge quadratically, near a grazing one they halve.
 
 use crate::{
-    flight::{Landing, Outcome, Takeoff},
     forcing::Forcing,
+    takeoff::{Landing, Outcome, Takeoff},
     twofold::Twofold,
 };
 
@@ -137,7 +137,7 @@ fn land(takeoff: &Takeoff, interval: f64, (_, velocity): (f64, f64), acceleratio
     let error = 4.0 * size * interval.cosh();
     Landing {
         interval,
-        gain: velocity + takeoff.speed,
+        loss: velocity + takeoff.speed,
         velocity,
         acceleration,
         off_parabola: acceleration - 2.0 * velocity / interval,

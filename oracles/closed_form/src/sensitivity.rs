@@ -8,10 +8,10 @@ use contract::Sensitivity;
 
 use crate::{
     dual::{Dual, Scalar},
-    flight::Takeoff,
     flow::Flow,
     forcing::{Excitation, Forcing},
     sequence::Follower,
+    takeoff::Takeoff,
     twofold::Twofold,
 };
 
@@ -52,7 +52,7 @@ impl Derivatives {
         // h = u/s is zero at the impact whatever the case, and s h' is what is known of its slope.
         let relative = motion.deflated.scaled(-1.0 / motion.slope.value);
         let (s, along) = (relative.chain(interval, interval), relative.scaled(motion.bend.value));
-        (s, motion.gain + along)
+        (s, motion.loss + along)
     }
 
     /// The same for a flight of any length, in stretches.

@@ -5,10 +5,10 @@ use contract::{Case, Ending, History, Horizon, Impact, Limit, Loss, Uncertainty}
 use crate::{
     UNIT,
     error::Errors,
-    flight::{Outcome, Takeoff},
     flow::Flow,
     forcing::{Excitation, HalfPhase},
     rest::ProofOfRest,
+    takeoff::{Outcome, Takeoff},
     twofold::{Split, Twofold},
 };
 
@@ -68,7 +68,7 @@ pub(crate) fn follow(case: &Case, excitation: &Excitation, mut follower: Option<
         }
         let interval_variance;
         (errors, interval_variance) = errors.after(&takeoff, &landing);
-        speed = speed.plus(-landing.gain).times(eta);
+        speed = speed.plus(-landing.loss).times(eta);
         sign = -sign;
         forcing = excitation.forcing(sign, half);
         let departure = speed.value();

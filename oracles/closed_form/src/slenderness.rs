@@ -13,7 +13,7 @@ mod series;
 
 use contract::SlendernessShift;
 
-use crate::{flight::Takeoff, forcing::Forcing, sequence::Follower};
+use crate::{forcing::Forcing, sequence::Follower, takeoff::Takeoff};
 use jet::Jet;
 use series::{Units, evaluate, expand};
 

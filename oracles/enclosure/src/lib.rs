@@ -13,6 +13,7 @@ mod bounds;
 mod critical;
 mod digits;
 mod directed;
+mod double;
 mod equation;
 mod excitation;
 mod flight;

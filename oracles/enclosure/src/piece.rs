@@ -86,11 +86,9 @@ impl<F: Directed> Motion<F> {
         let (h, drive) = (Interval::<f64>::exactly(length), Interval::exactly(self.drive));
         let distance = Interval::exactly(start.distance.magnitude());
         let velocity = Interval::exactly(start.velocity.magnitude());
-        // cosh h <= 1 + h²/2 + h⁴/24 + cosh(2) h⁶/720 for h <= 2 (1/24 and cosh(2)/720 rounded up), and sinh h <= h cosh h,
-        // cosh h - 1 <= (h²/2) cosh h.
+        // sinh h <= h cosh h, and cosh h - 1 <= (h²/2) cosh h.
         let square = h.squared();
-        let cosh =
-            [0.006, 0.042, 0.5, 1.0].iter().fold(Interval::zero(), |sum, &c| &(&sum * &square) + &Interval::exactly(c));
+        let cosh = cosh_above(&square);
         let half = Interval::exactly(0.5);
         let grown = &(&distance + &(&velocity * &h)) + &(&(&drive * &square) * &half);
         let faster = &(&velocity + &(&distance * &h)) + &(&drive * &h);
@@ -163,6 +161,11 @@ impl<F: Directed> Motion<F> {
         }
         None
     }
+}
+
+/// A bound on `cosh h` from above for `h <= 2`, from `h²`: `1 + h²/2 + h⁴/24 + cosh(2) h⁶/720`, with `1/24` and `cosh(2)/720` rounded up.
+fn cosh_above(square: &Interval<f64>) -> Interval<f64> {
+    [0.006, 0.042, 0.5, 1.0].iter().fold(Interval::zero(), |sum, &c| &(&sum * square) + &Interval::exactly(c))
 }
 
 impl<F: Directed> Piece<F> {

@@ -7,8 +7,8 @@ use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
 use crate::Method;
 use crate::equation::{Forcing, Motion};
+use crate::launch::{Equations, Flight, Launch, Outcome};
 use crate::piece::{Knot, Piece};
-use crate::run::{Equations, Flight, Launch, Outcome};
 
 /// More steps than any flight takes at any tolerance allowed; it bounds the work when something is wrong.
 const MOST_STEPS: usize = 100_000;
@@ -137,6 +137,27 @@ fn root(x: f64, n: i32) -> f64 {
     }
 }
 
+/// What a step tells.
+#[derive(Debug, PartialEq)]
+enum Told {
+    /// There is one impact in it, near this time.
+    Impact(f64),
+    /// There is none.
+    InTheAir,
+    /// The solver's event and the values at the ends of the step do not tell the same story, or not a simple one (two roots, a dip below zero):
+    /// to be looked at closer.
+    Unclear,
+}
+
+/// What a step tells that the solver ended for this reason, over which the rotation can change its sign so often, and that ends off the base or not.
+fn told(reason: &OdeSolverStopReason<f64>, sign_changes: usize, off_base: bool) -> Told {
+    match (reason, sign_changes) {
+        (OdeSolverStopReason::RootFound(guess, _), 1) => Told::Impact(*guess),
+        (OdeSolverStopReason::InternalTimestep, 0) if off_base => Told::InTheAir,
+        _ => Told::Unclear,
+    }
+}
+
 /// A solver that flies each flight in the units that it finds in `units`, where the equations of its problem read them too.
 pub(crate) struct Rescaled<'c, S> {
     pub solver: S,
@@ -193,23 +214,21 @@ impl<S> Rescaled<'_, S> {
             let piece = Piece::between(&from, &to);
             let end = (time_left / scaled.time).min(to.t);
             let at_end = |(chi, dchi)| scaled.away_from_base(chi, dchi);
-            match (reason, piece.sign_changes()) {
-                (OdeSolverStopReason::RootFound(guess, _), 1) => {
+            match told(&reason, piece.sign_changes(), scaled.i * to.y > 0.0) {
+                Told::Impact(guess) => {
                     let (xi, slope) = piece.root_near(guess);
                     let (_, du) = scaled.away_from_base(0.0, slope);
                     let outcome = Outcome::landed(xi * scaled.time, -du, time_left);
                     let state = if matches!(outcome, Outcome::TimeIsUp) { at_end(piece.at(end)) } else { (0.0, du) };
                     return (outcome, state);
                 }
-                (OdeSolverStopReason::InternalTimestep, 0) if scaled.i * to.y > 0.0 => {}
-                // The solver's event and the values at the ends of the step do not tell the same story, or not a simple one
-                // (two roots, a dip below zero): go back and look closer.
-                _ if halvings < MOST_HALVINGS => {
+                Told::InTheAir => {}
+                Told::Unclear if halvings < MOST_HALVINGS => {
                     halvings += 1;
                     self.place(&from, 0.5 * (to.t - from.t));
                     continue;
                 }
-                _ => return (Outcome::Lost(Loss::FellThrough), state),
+                Told::Unclear => return (Outcome::Lost(Loss::FellThrough), state),
             }
             state = at_end(piece.at(end));
             if !watched && self.motion.is_past_return(state.0, state.1) {
@@ -242,6 +261,24 @@ mod tests {
         let case = Case::from_epsilon(epsilon, omega, 0.9).unwrap_or_else(|e| panic!("{e}")).with_slenderness(block);
         [Equation::Linear, Equation::Nonlinear]
             .map(|equation| Motion::new(&case, equation).unwrap_or(None).unwrap_or_else(|| panic!("it rocks")))
+    }
+
+    /// One story from both, and a simple one.
+    #[test]
+    fn a_step_is_trusted_where_solver_and_values_tell_the_same() {
+        let root = OdeSolverStopReason::RootFound(0.5, 0);
+        for off_base in [true, false] {
+            assert_eq!(told(&root, 1, off_base), Told::Impact(0.5));
+            for changes in [0, 2, 3, 5] {
+                assert_eq!(told(&root, changes, off_base), Told::Unclear, "{changes}");
+            }
+            for changes in 1..=5 {
+                assert_eq!(told(&OdeSolverStopReason::InternalTimestep, changes, off_base), Told::Unclear, "{changes}");
+            }
+            assert_eq!(told(&OdeSolverStopReason::TstopReached, 0, off_base), Told::Unclear);
+        }
+        assert_eq!(told(&OdeSolverStopReason::InternalTimestep, 0, true), Told::InTheAir);
+        assert_eq!(told(&OdeSolverStopReason::InternalTimestep, 0, false), Told::Unclear);
     }
 
     fn is_near(a: f64, b: f64) -> bool {

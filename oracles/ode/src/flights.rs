@@ -8,7 +8,8 @@ use diffsol::OdeSolverMethod;
 use crate::Method;
 use crate::equation::Motion;
 use crate::flight::Rescaled;
-use crate::run::{Equations, Launch, Outcome, Task, rescaled};
+use crate::launch::{Equations, Launch, Outcome};
+use crate::run::{Task, rescaled};
 
 /// The flights of one block under one motion of the ground. Each has a solver of its own.
 pub(crate) struct Solver {

@@ -16,6 +16,7 @@ mod ending;
 mod equation;
 mod flight;
 mod flights;
+mod launch;
 mod naive;
 mod piece;
 mod run;

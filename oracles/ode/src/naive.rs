@@ -9,7 +9,7 @@ use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 use crate::Restart;
 use crate::equation::Motion;
 use crate::flight::Scaled;
-use crate::run::{Equations, Flight, Launch, Outcome};
+use crate::launch::{Equations, Flight, Launch, Outcome};
 
 /// It bounds the work in a flight, as steps on this clock can become arbitrarily small.
 const MOST_STEPS: usize = 20_000;

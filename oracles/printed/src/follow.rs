@@ -197,4 +197,22 @@ mod tests {
             }
         }
     }
+
+    /// A search that starts behind the impact has not missed it silently; one that starts before it finds it.
+    #[test]
+    fn a_search_that_starts_below_the_base_has_fallen_through() {
+        let ar = Arithmetic::new(256).unwrap();
+        let case = Case::from_amplitude(1.03, 2.0, 0.92).unwrap();
+        let excitation = Excitation::new(&ar, &case);
+        let end = End::new(&ar, &case, &excitation);
+        let zero = ar.number(0.0);
+        let flight = Flight::from_impact(&ar, &excitation, -1.0, &zero, &zero);
+        // The first impact is at 0.48776.
+        for (shortest, found) in [(0.1, true), (0.48, true), (0.49, false), (0.6, false), (1.0, false)] {
+            match impact_time(&ar, &excitation, &flight, &zero, shortest, &end) {
+                Search::Found(time) => assert!(found && (double(&time) - 0.487_764_79).abs() < 1e-8, "{shortest}"),
+                Search::Ended(ending) => assert!(!found && ending == Ending::Lost(Loss::FellThrough), "{shortest}"),
+            }
+        }
+    }
 }

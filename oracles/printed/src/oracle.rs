@@ -26,6 +26,8 @@ pub struct DecimalImpact {
 const DIGITS_OF_A_DOUBLE: usize = 20;
 /// Bits by which the second of two computations is longer than the first.
 const MORE_BITS: usize = 128;
+// Two computations that round alike would agree in wrong digits too.
+const _: () = assert!(MORE_BITS >= 64);
 /// Decimals in which two computations agree that are not shown: one for the measure of agreement itself, one for safety.
 const HIDDEN_DIGITS: usize = 2;
 /// How many impacts times bits a history is computed for: a few seconds.

@@ -1,13 +1,11 @@
 //! One rocking block in each lane, from one impact to the next.
 
-use crate::{
-    rest::{GROWTH, SHARE},
-    sequence::SLOWEST,
-};
+use crate::{rest::SHARE, sequence::SLOWEST};
 
 use super::{
-    lanes::{Lanes, Twofold},
-    motion::{FEW, REACH, SHORT, SOME, Step, TERMS, step},
+    lanes::Lanes,
+    motion::{FEW, REACH, SHORT, SOME, step},
+    state::{Blocks, Step, TERMS},
 };
 
 /// How many steps are tried before a flight is left to the scalar code.
@@ -15,50 +13,6 @@ const STEPS: usize = 8;
 
 /// Below this cosine of half the phase `T/2` is so near that the scalar code has to tell on which side of it an impact is.
 const NEARLY_OVER: f64 = 1e-9;
-
-/// The blocks after an impact, each with its case.
-#[derive(Clone, Copy)]
-pub(super) struct Blocks<L: Lanes> {
-    /// 1 where there is a case.
-    pub busy: L,
-    pub epsilon: L,
-    pub omega: L,
-    pub eta: L,
-    /// `a cos ψ = sqrt(2ε + ε²)`.
-    pub cosine: L,
-    /// `max(1, ω)`.
-    pub rate: L,
-    /// `ω²`.
-    pub squared: L,
-    /// The `q` of `flow`.
-    pub series: [L; TERMS],
-    /// What `rest` needs of the case: `x (1 - x)(1 - η²)/(2 exp(x/(2(1 - x))))`.
-    pub room: L,
-    /// Where the first flight ends, nearly.
-    pub first: L,
-    pub time: Twofold<L>,
-    pub speed: Twofold<L>,
-    /// Sine and cosine of half the phase.
-    pub sin: Twofold<L>,
-    pub cos: Twofold<L>,
-    /// `-1 - i f` on the side to which the block leaves.
-    pub acceleration: L,
-    /// `-i f'` there.
-    pub jerk: L,
-    /// 1 where the rest of the sequence is certain.
-    pub complete: L,
-    /// Of the flight that each block makes: the speed of the departure, and `-i f''` there.
-    pub departure: L,
-    pub snap: L,
-    /// Where it may end, and the impact that it comes to.
-    guess: L,
-    landing: Step<L>,
-    /// Where one is found.
-    found: L::Mask,
-    /// Where it is not sure that it is the first one, and everywhere else that the lanes are not made for. Time, speed and `complete` are left there as they
-    /// were before the flight, and the rest is for the scalar code to write anew.
-    pub unsure: L::Mask,
-}
 
 /// An impact in each lane.
 #[derive(Clone, Copy)]
@@ -73,9 +27,9 @@ pub(super) struct Impact<L> {
 pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin: L, cos: L) -> [L; 2] {
     let (by_cosine, by_one) = (cosine * ((cos - sin) * (cos + sin)), (sin + sin) * cos);
     if FIRST_SIDE {
-        [(sin + sin) * cosine.times_plus(cos, -sin), omega * (by_cosine - by_one)]
+        [(sin + sin) * cosine.mul_add(cos, -sin), omega * (by_cosine - by_one)]
     } else {
-        [-(cos + cos) * cosine.times_plus(sin, cos), omega * (by_one - by_cosine)]
+        [-(cos + cos) * cosine.mul_add(sin, cos), omega * (by_one - by_cosine)]
     }
 }
 
@@ -84,6 +38,10 @@ pub(super) fn forcing<L: Lanes, const FIRST_SIDE: bool>(cosine: L, omega: L, sin
 fn nested<L: Lanes>(z: L, [a, b, c]: [f64; 3]) -> L {
     (z * (z * (z.by(c).plus(1.0)).by(b)).plus(1.0).by(a)).plus(1.0)
 }
+
+/// Bounds from above on `sinh s/s` and on `2 (cosh s - 1)/s²` as nested polynomials of `s²`, up to `s = REACH`: the last factor makes up for what is left out.
+const SINH: [f64; 3] = [1.0 / 6.0, 1.0 / 20.0, 1.2 / 42.0];
+const COSH: [f64; 3] = [1.0 / 12.0, 1.0 / 30.0, 1.2 / 56.0];
 
 /// One step more by `N` terms, where the mask holds.
 #[inline(always)]
@@ -97,7 +55,7 @@ fn further<L: Lanes, const N: usize>(
         return (here, found);
     }
     let (next, last) = step::<L, N>(blocks, s);
-    (next.or(mask, here), found | (last & mask))
+    (next.select(mask, here), found | (last & mask))
 }
 
 impl<L: Lanes> Blocks<L> {
@@ -105,7 +63,7 @@ impl<L: Lanes> Blocks<L> {
     #[inline(always)]
     pub fn take_off(&mut self) {
         self.departure = self.speed.value();
-        self.snap = self.squared * (self.omega.all(-1.0) - self.acceleration);
+        self.snap = self.squared * (self.omega.splat(-1.0) - self.acceleration);
         self.guess = self.guess();
     }
 
@@ -118,12 +76,12 @@ impl<L: Lanes> Blocks<L> {
     /// The blocks after the impact that ends their flights, all to the same side; and whether it is not sure in any lane.
     #[inline(always)]
     pub fn hit<const FIRST_SIDE: bool>(&mut self) -> (Impact<L>, bool) {
-        let (one, zero) = (self.omega.all(1.0), self.omega.all(0.0));
+        let (one, zero) = (self.omega.splat(1.0), self.omega.splat(0.0));
         let busy = zero.below(self.busy);
-        let Step { interval, gain, turn: [up, down] } = self.landing;
-        let speed = self.speed.less(gain).times(self.eta);
+        let Step { interval, loss, turn: [up, down] } = self.landing;
+        let speed = self.speed.less(loss).times(self.eta);
         let departure = speed.value();
-        let mut sure = self.found & speed.high.all(SLOWEST).below(departure);
+        let mut sure = self.found & speed.high.splat(SLOWEST).below(departure);
         let bounded = self.is_bounded(interval);
         let open = self.complete.below(one);
         let any_open = L::any(busy & open);
@@ -139,15 +97,15 @@ impl<L: Lanes> Blocks<L> {
         };
         sure = sure & first;
         if any_open {
-            sure = sure & (cos.all(NEARLY_OVER).below(cos) | !open);
-            self.complete = one.or(self.rests(departure) & sure, self.complete);
+            sure = sure & (cos.splat(NEARLY_OVER).below(cos) | !open);
+            self.complete = one.select(self.rests(departure) & sure, self.complete);
         }
         let (mut time, mut speed) = (self.time.plus(interval), speed);
         self.unsure = busy & !sure;
         let any_unsure = L::any(self.unsure);
         if any_unsure {
-            time = self.time.or(self.unsure, time);
-            speed = self.speed.or(self.unsure, speed);
+            time = self.time.select(self.unsure, time);
+            speed = self.speed.select(self.unsure, speed);
         }
         (self.time, self.speed) = (time, speed);
         let velocity = if FIRST_SIDE { departure } else { -departure };
@@ -157,12 +115,12 @@ impl<L: Lanes> Blocks<L> {
     /// The impact that the flight comes to, and where one is found.
     #[inline(always)]
     fn landing(&self) -> (Step<L>, L::Mask) {
-        let nothing = self.omega.all(0.0);
+        let nothing = self.omega.splat(0.0);
         let (busy, s) = (nothing.below(self.busy), self.guess);
         let x = self.rate * s;
         let ahead = nothing.below(s);
-        let short = x.below(x.all(SHORT.1));
-        let (mut here, mut found) = (Step { interval: s, gain: s, turn: [s; 2] }, ahead & !ahead);
+        let short = x.below(x.splat(SHORT.1));
+        let (mut here, mut found) = (Step { interval: s, loss: s, turn: [s; 2] }, ahead & !ahead);
         let mut open = busy;
         let mut steps = 0;
         // Most flights are short, and need one step.
@@ -170,7 +128,7 @@ impl<L: Lanes> Blocks<L> {
             steps = 1;
             (here, found) = step::<L, { SHORT.0 }>(self, s);
             open = busy & !found;
-        } else if !L::any(busy & !(ahead & x.below(x.all(FEW.1)) & !short)) {
+        } else if !L::any(busy & !(ahead & x.below(x.splat(FEW.1)) & !short)) {
             steps = 1;
             (here, found) = step::<L, { FEW.0 }>(self, s);
             open = busy & !found;
@@ -179,9 +137,9 @@ impl<L: Lanes> Blocks<L> {
             steps += 1;
             let s = here.interval;
             let x = self.rate * s;
-            open = open & nothing.below(s) & x.below(x.all(REACH));
+            open = open & nothing.below(s) & x.below(x.splat(REACH));
             // As many terms as each lane's own flight asks for, and never more: the answer of a lane must not depend on the others.
-            let (short, few, some) = (x.below(x.all(SHORT.1)), x.below(x.all(FEW.1)), x.below(x.all(SOME.1)));
+            let (short, few, some) = (x.below(x.splat(SHORT.1)), x.below(x.splat(FEW.1)), x.below(x.splat(SOME.1)));
             (here, found) = further::<L, { SHORT.0 }>(self, s, open & short, (here, found));
             (here, found) = further::<L, { FEW.0 }>(self, s, open & few & !short, (here, found));
             (here, found) = further::<L, { SOME.0 }>(self, s, open & some & !few, (here, found));
@@ -196,7 +154,7 @@ impl<L: Lanes> Blocks<L> {
     #[inline(always)]
     fn guess(&self) -> L {
         let Self { departure: speed, acceleration, jerk, snap, .. } = *self;
-        let (one, zero) = (speed.all(1.0), speed.all(0.0));
+        let (one, zero) = (speed.splat(1.0), speed.splat(0.0));
         let inverse = one / acceleration;
         // -1/2 of the parabola's length
         let half = speed * inverse;
@@ -204,15 +162,15 @@ impl<L: Lanes> Blocks<L> {
         let (e, d) = ((speed + jerk) * lift, ((acceleration + snap) * half) * lift);
         let e_squared = e * e;
         let [_, q, ..] = self.series;
-        let first = (q * (half * half)).times_plus(e.all(-4.0 / 15.0), e.all(-4.0 / 3.0));
-        let second = e.times_plus(e.all(-80.0 / 27.0), e.all(-16.0 / 9.0));
-        let fourth = e.times_plus(e.all(-896.0 / 81.0), e.all(-448.0 / 81.0));
-        let mixed = e.times_plus(e.all(20.0 / 9.0), e.all(2.0 / 3.0));
-        let mixed = d.times_plus(e.all(-2.0 / 3.0), e_squared.times_plus(e.all(56.0 / 9.0), mixed));
-        let near = e_squared.times_plus(e_squared.times_plus(fourth, second), e.times_plus(first, e.all(-2.0)));
-        let mut stretch = d.times_plus(mixed, near);
+        let first = (q * (half * half)).mul_add(e.splat(-4.0 / 15.0), e.splat(-4.0 / 3.0));
+        let second = e.mul_add(e.splat(-80.0 / 27.0), e.splat(-16.0 / 9.0));
+        let fourth = e.mul_add(e.splat(-896.0 / 81.0), e.splat(-448.0 / 81.0));
+        let mixed = e.mul_add(e.splat(20.0 / 9.0), e.splat(2.0 / 3.0));
+        let mixed = d.mul_add(e.splat(-2.0 / 3.0), e_squared.mul_add(e.splat(56.0 / 9.0), mixed));
+        let near = e_squared.mul_add(e_squared.mul_add(fourth, second), e.mul_add(first, e.splat(-2.0)));
+        let mut stretch = d.mul_add(mixed, near);
         let falls = half.below(zero);
-        let far = zero.below(self.busy) & falls & !e.abs().below(e.all(0.18));
+        let far = zero.below(self.busy) & falls & !e.abs().below(e.splat(0.18));
         if L::any(far) {
             // 1 - t + e t² + d t³ = 0 by Newton's method
             let (e, d) = (e.by(2.0 / 3.0), d.by(-1.0 / 3.0));
@@ -224,9 +182,9 @@ impl<L: Lanes> Blocks<L> {
                 let slope = (t * (e + e + (d * t).by(3.0))).plus(-1.0);
                 t = t - value / slope;
             }
-            stretch = t.by(-2.0).or(far, stretch);
+            stretch = t.by(-2.0).select(far, stretch);
         }
-        (half * stretch).or(falls, self.first)
+        (half * stretch).select(falls, self.first)
     }
 
     /// Where a flight after the proof of rest is no longer than `2v/((1 - x) g)`, with the pull `g` of now. No impact comes before the one found then.
@@ -246,7 +204,7 @@ impl<L: Lanes> Blocks<L> {
     #[inline(always)]
     fn is_first(&self, s: L) -> L::Mask {
         let Self { departure: speed, acceleration, jerk, snap, .. } = *self;
-        let zero = s.all(0.0);
+        let zero = s.splat(0.0);
         let busy = zero.below(self.busy);
         let rise = jerk.max(zero) + s * snap.max(zero).by(0.5);
         let concave = (acceleration + s * (speed + rise)).below(zero);
@@ -254,13 +212,11 @@ impl<L: Lanes> Blocks<L> {
         if L::any(busy & !concave) {
             let fall = jerk.min(zero) + s * snap.min(zero).by(0.5);
             let lowest = acceleration + s * fall;
-            // Bounds on sinh s and on 2 (cosh s - 1), for s <= 2.3.
             let z = s * s;
-            let sinh = s * nested(z, [1.0 / 6.0, 1.0 / 20.0, 1.2 / 42.0]);
-            let cosh = z * nested(z, [1.0 / 12.0, 1.0 / 30.0, 1.2 / 56.0]);
+            let (sinh, cosh) = (s * nested(z, SINH), z * nested(z, COSH));
             let height = speed * sinh + (self.epsilon * cosh).by(0.5);
             let excess = self.squared.plus(-1.0);
-            let drive = (-(excess * self.epsilon)).or(excess.below(zero), excess * (-lowest).max(zero));
+            let drive = (-(excess * self.epsilon)).select(excess.below(zero), excess * (-lowest).max(zero));
             let bounded = snap.below(zero) & ((height - self.squared) + drive).below(zero);
             let turns = acceleration.below(zero) & zero.below(speed + jerk);
             proven = proven | (bounded & !turns);
@@ -271,108 +227,31 @@ impl<L: Lanes> Blocks<L> {
     /// Where the rest of the sequence is certain after an impact that is left with this speed; see `rest`.
     #[inline(always)]
     fn rests(&self, speed: L) -> L::Mask {
-        let zero = speed.all(0.0);
+        let zero = speed.splat(0.0);
         let this = -self.acceleration;
-        let other = speed.all(2.0) - this;
+        let other = speed.splat(2.0) - this;
         let fastest = self.omega + self.omega * self.epsilon;
         let flights = speed * (other + self.eta * this) * (fastest + (speed + speed));
         let fit = !(self.room * this.min(other) * this * other).below(flights);
         zero.below(this) & zero.below(other) & fit
     }
+}
 
-    /// Puts a case at its initiation into a lane.
-    pub fn start(&mut self, lane: usize, epsilon: f64, omega: f64, eta: f64) {
-        let cosine = (epsilon * (2.0 + epsilon)).sqrt();
-        let Self { time, speed, sin, cos, .. } = self;
-        for (place, value) in [
-            (&mut self.busy, 1.0),
-            (&mut self.epsilon, epsilon),
-            (&mut self.omega, omega),
-            (&mut self.eta, eta),
-            (&mut time.high, 0.0),
-            (&mut time.low, 0.0),
-            (&mut speed.high, 0.0),
-            (&mut speed.low, 0.0),
-            (&mut sin.high, 0.0),
-            (&mut sin.low, 0.0),
-            (&mut cos.high, 1.0),
-            (&mut cos.low, 0.0),
-            (&mut self.acceleration, 0.0),
-            (&mut self.jerk, omega * cosine),
-            (&mut self.complete, 0.0),
-        ] {
-            place.set_lane(lane, value);
-        }
-    }
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-    /// What depends on the cases only. Done for all lanes when any has a new case, with the same answer for the others.
-    #[inline(always)]
-    pub fn prepare(&mut self) {
-        let (epsilon, omega, eta) = (self.epsilon, self.omega, self.eta);
-        let one = omega.all(1.0);
-        self.cosine = (epsilon * epsilon.plus(2.0)).sqrt();
-        self.rate = omega.max(one);
-        let squared = omega * omega;
-        self.squared = squared;
-        let mut q = one;
-        for series in &mut self.series {
-            *series = q;
-            q = one - squared * q;
-        }
-        let room = SHARE * (1.0 - SHARE) / (2.0 * GROWTH);
-        self.room = (one - eta * eta).by(room);
-        self.first = self.first_interval();
-    }
-
-    /// Where the first flight ends: Eq. 31 has `s = 4 sqrt(2ε + ε²)/ω`, and in units of that, `σ`, the next terms of the series are
-    /// `0 = 1 - σ + A (σ²/20 - σ³/30) + B (σ⁴/840 - σ⁵/1680) + ...`
-    #[inline(always)]
-    fn first_interval(&self) -> L {
-        let one = self.omega.all(1.0);
-        let unit = self.cosine.by(4.0) / self.omega;
-        let square = unit * unit;
-        let [_, q, next, ..] = self.series;
-        let (a, b) = (q * square, next * square * square);
-        let mut sigma = one;
-        let mut times = 0;
-        while times < 3 {
-            times += 1;
-            let power = sigma * sigma;
-            let by_a = one.by(1.0 / 20.0) - sigma.by(1.0 / 30.0);
-            let by_b = one.by(1.0 / 840.0) - sigma.by(1.0 / 1680.0);
-            sigma = one + power * (a * by_a + power * b * by_b);
-        }
-        unit * sigma
-    }
-
-    /// Lanes without cases.
-    #[inline(always)]
-    pub fn idle(zero: L) -> Self {
-        let nothing = Twofold { high: zero, low: zero };
-        Self {
-            busy: zero,
-            epsilon: zero,
-            omega: zero,
-            eta: zero,
-            cosine: zero,
-            rate: zero,
-            squared: zero,
-            series: [zero; TERMS],
-            room: zero,
-            first: zero,
-            time: nothing,
-            speed: nothing,
-            sin: nothing,
-            cos: nothing,
-            acceleration: zero,
-            jerk: zero,
-            complete: zero,
-            departure: zero,
-            snap: zero,
-            guess: zero,
-            landing: Step { interval: zero, gain: zero, turn: [zero; 2] },
-            found: zero.below(zero),
-            unsure: zero.below(zero),
+    /// They are bounds as far as the series reach, and not much wider than what they bound.
+    #[test]
+    fn the_bounds_of_the_proof_are_above_the_functions() {
+        for k in 1..=2300 {
+            let s = REACH * f64::from(k) / 2300.0;
+            let half = (0.5 * s).sinh();
+            for (bound, function) in
+                [(s * nested(s * s, SINH), s.sinh()), (s * s * nested(s * s, COSH), 4.0 * half * half)]
+            {
+                assert!((-4e-16..6e-3).contains(&(bound / function - 1.0)), "{s}: {bound} {function}");
+            }
         }
     }
 }

@@ -74,7 +74,7 @@ impl Lanes for Counted {
 
     type Mask = bool;
 
-    fn all(self, value: f64) -> Self {
+    fn splat(self, value: f64) -> Self {
         Self(value)
     }
 
@@ -83,7 +83,7 @@ impl Lanes for Counted {
         Self(self.0.mul_add(factor.0, -product.0))
     }
 
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         count(|done| &mut done.fused);
         Self(self.0.mul_add(factor.0, term.0))
     }
@@ -113,7 +113,7 @@ impl Lanes for Counted {
         self.0 < other.0
     }
 
-    fn or(self, mask: bool, other: Self) -> Self {
+    fn select(self, mask: bool, other: Self) -> Self {
         count(|done| &mut done.choices);
         if mask { self } else { other }
     }

@@ -3,7 +3,7 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// What is asked of lanes. Every operation but [`Lanes::times_plus`] is one of IEEE 754, rounded once, in each lane.
+/// What is asked of lanes. Every operation but [`Lanes::mul_add`] is one of IEEE 754, rounded once, in each lane.
 ///
 /// Nothing here, and nothing that is computed with it, may be a closure: one that the compiler leaves out of line is compiled without the
 /// instruction set that its caller was chosen for.
@@ -17,13 +17,13 @@ pub(super) trait Lanes:
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
     /// `value` in every lane.
-    fn all(self, value: f64) -> Self;
+    fn splat(self, value: f64) -> Self;
 
     /// `self · factor - product`, rounded once.
     fn residue(self, factor: Self, product: Self) -> Self;
 
     /// `self · factor + term`, rounded once where the instruction set can, and else twice.
-    fn times_plus(self, factor: Self, term: Self) -> Self;
+    fn mul_add(self, factor: Self, term: Self) -> Self;
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -41,7 +41,7 @@ pub(super) trait Lanes:
     fn below(self, other: Self) -> Self::Mask;
 
     /// This where the mask holds, and the other elsewhere.
-    fn or(self, mask: Self::Mask, other: Self) -> Self;
+    fn select(self, mask: Self::Mask, other: Self) -> Self;
 
     /// Whether a mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
@@ -55,13 +55,13 @@ pub(super) trait Lanes:
     /// This times a number.
     #[inline(always)]
     fn by(self, factor: f64) -> Self {
-        self * self.all(factor)
+        self * self.splat(factor)
     }
 
     /// This plus a number.
     #[inline(always)]
     fn plus(self, term: f64) -> Self {
-        self + self.all(term)
+        self + self.splat(term)
     }
 }
 
@@ -72,7 +72,7 @@ impl Lanes for f64 {
     type Mask = bool;
 
     #[inline(always)]
-    fn all(self, value: f64) -> Self {
+    fn splat(self, value: f64) -> Self {
         value
     }
 
@@ -82,7 +82,7 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 
@@ -112,7 +112,7 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn or(self, mask: bool, other: Self) -> Self {
+    fn select(self, mask: bool, other: Self) -> Self {
         if mask { self } else { other }
     }
 
@@ -158,15 +158,15 @@ impl<L: Lanes> Twofold<L> {
 
     /// This where the mask holds, and the other elsewhere.
     #[inline(always)]
-    pub fn or(self, mask: L::Mask, other: Self) -> Self {
-        Self { high: self.high.or(mask, other.high), low: self.low.or(mask, other.low) }
+    pub fn select(self, mask: L::Mask, other: Self) -> Self {
+        Self { high: self.high.select(mask, other.high), low: self.low.select(mask, other.low) }
     }
 
     /// This times a factor.
     #[inline(always)]
     pub fn times(self, factor: L) -> Self {
         let high = self.high * factor;
-        Self { high, low: self.low.times_plus(factor, self.high.residue(factor, high)) }
+        Self { high, low: self.low.mul_add(factor, self.high.residue(factor, high)) }
     }
 
     /// The nearest number.
@@ -242,8 +242,8 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     type Mask = ManyMasks<L::Mask, N>;
 
     #[inline(always)]
-    fn all(self, value: f64) -> Self {
-        each!(self, index, self.0[index].all(value))
+    fn splat(self, value: f64) -> Self {
+        each!(self, index, self.0[index].splat(value))
     }
 
     #[inline(always)]
@@ -252,8 +252,8 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
-        each!(self, index, self.0[index].times_plus(factor.0[index], term.0[index]))
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        each!(self, index, self.0[index].mul_add(factor.0[index], term.0[index]))
     }
 
     #[inline(always)]
@@ -283,8 +283,8 @@ impl<L: Lanes, const N: usize> Lanes for Many<L, N> {
     }
 
     #[inline(always)]
-    fn or(self, mask: Self::Mask, other: Self) -> Self {
-        each!(self, index, self.0[index].or(mask.0[index], other.0[index]))
+    fn select(self, mask: Self::Mask, other: Self) -> Self {
+        each!(self, index, self.0[index].select(mask.0[index], other.0[index]))
     }
 
     #[inline(always)]
@@ -349,13 +349,13 @@ mod tests {
         }
         for lane in 0..6 {
             assert_eq!(lanes.lane(lane), 1.0 + lane as f64);
-            let this = lanes.below(lanes.all(1.5 + lane as f64)) & !lanes.below(lanes.all(0.5 + lane as f64));
+            let this = lanes.below(lanes.splat(1.5 + lane as f64)) & !lanes.below(lanes.splat(0.5 + lane as f64));
             assert!(Many::<Two, 3>::any(this));
-            let chosen = lanes.all(-1.0).or(this, lanes);
+            let chosen = lanes.splat(-1.0).select(this, lanes);
             for other in 0..6 {
                 assert_eq!(chosen.lane(other), if other == lane { -1.0 } else { 1.0 + other as f64 });
             }
         }
-        assert!(lanes.lane(6).is_nan() && !Many::<Two, 3>::any(lanes.below(lanes.all(1.0))));
+        assert!(lanes.lane(6).is_nan() && !Many::<Two, 3>::any(lanes.below(lanes.splat(1.0))));
     }
 }

@@ -35,6 +35,7 @@ mod refusal;
 mod registers;
 mod set;
 mod single;
+mod state;
 
 use contract::{Ending, Limit};
 use rayon::prelude::*;

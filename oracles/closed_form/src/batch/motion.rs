@@ -10,12 +10,11 @@
 //! the time is, if the sums are twofold.
 
 use super::{
-    blocks::Blocks,
     lanes::{Lanes, Twofold},
+    state::{Blocks, Step, TERMS},
 };
 
-/// How many terms of the series are held, and up to which `max(1, ω) s` they are enough; see `flow`.
-pub(super) const TERMS: usize = 11;
+/// Up to which `max(1, ω) s` all terms of the series are enough; see `flow`.
 pub(super) const REACH: f64 = 2.3;
 
 /// The same for fewer terms.
@@ -51,31 +50,6 @@ const TURN: [[f64; 2]; TERMS] = {
     rows
 };
 
-/// Where a flight stands after one step towards its impact.
-#[derive(Clone, Copy)]
-pub(super) struct Step<L> {
-    /// The local time of the impact, as it is known now.
-    pub interval: L,
-    /// The gain there: how much slower the block lands than it left.
-    pub gain: L,
-    /// By how much the sine of half the phase has grown there, and its cosine shrunk.
-    pub turn: [L; 2],
-}
-
-impl<L: Lanes> Step<L> {
-    /// This where the mask holds, and the other elsewhere.
-    #[inline(always)]
-    pub fn or(self, mask: L::Mask, other: Self) -> Self {
-        let [sine, cosine] = self.turn;
-        let [other_sine, other_cosine] = other.turn;
-        Self {
-            interval: self.interval.or(mask, other.interval),
-            gain: self.gain.or(mask, other.gain),
-            turn: [sine.or(mask, other_sine), cosine.or(mask, other_cosine)],
-        }
-    }
-}
-
 /// The coefficients of `z^m` of the odd and of the even series.
 #[inline(always)]
 fn coefficients<L: Lanes>(blocks: &Blocks<L>, m: usize) -> [L; 2] {
@@ -87,7 +61,7 @@ fn coefficients<L: Lanes>(blocks: &Blocks<L>, m: usize) -> [L; 2] {
     let [o, e] = if m == 0 {
         [speed + jerk, acceleration + snap]
     } else {
-        [q.times_plus(jerk, speed), q.times_plus(snap, acceleration)]
+        [q.mul_add(jerk, speed), q.mul_add(snap, acceleration)]
     };
     [o.by(*odd), e.by(*even)]
 }
@@ -100,50 +74,50 @@ pub(super) fn step<L: Lanes, const N: usize>(blocks: &Blocks<L>, s: L) -> (Step<
     // O, E, their derivatives and half their second derivatives by z.
     let [odd, even] = coefficients(blocks, N - 1);
     let [odd_next, even_next] = coefficients(blocks, N - 2);
-    let (mut o, mut o1, mut o2) = (odd.times_plus(z, odd_next), odd, odd);
-    let (mut e, mut e1, mut e2) = (even.times_plus(z, even_next), even, even);
+    let (mut o, mut o1, mut o2) = (odd.mul_add(z, odd_next), odd, odd);
+    let (mut e, mut e1, mut e2) = (even.mul_add(z, even_next), even, even);
     let mut m = N - 2;
     while m > 0 {
         m -= 1;
         let [odd, even] = coefficients(blocks, m);
         if m + 3 < N {
-            (o2, e2) = (o2.times_plus(z, o1), e2.times_plus(z, e1));
+            (o2, e2) = (o2.mul_add(z, o1), e2.mul_add(z, e1));
         }
-        (o1, e1) = (o1.times_plus(z, o), e1.times_plus(z, e));
-        (o, e) = (o.times_plus(z, odd), e.times_plus(z, even));
+        (o1, e1) = (o1.mul_add(z, o), e1.mul_add(z, e));
+        (o, e) = (o.mul_add(z, odd), e.mul_add(z, even));
     }
-    // h = u/s, the gain, and how that grows along s: the formulas of `flow`.
+    // h = u/s, the loss, and how that grows along s: the formulas of `flow`.
     let (speed, acceleration) = (blocks.departure, blocks.acceleration);
     let twice = s + s;
-    let deflated = z.times_plus(s.times_plus(e, o), (s * acceleration).by(0.5)) + speed;
-    let gain = z * twice.times_plus(z.times_plus(e1, e), (z + z).times_plus(o1, o));
-    let slope = (deflated - speed) + gain;
-    let inverse = s.all(-1.0) / slope;
+    let deflated = z.mul_add(s.mul_add(e, o), (s * acceleration).by(0.5)) + speed;
+    let loss = z * twice.mul_add(z.mul_add(e1, e), (z + z).mul_add(o1, o));
+    let slope = (deflated - speed) + loss;
+    let inverse = s.splat(-1.0) / slope;
     let newton = deflated * inverse;
-    let (step, gain, exact) = if N == SHORT.0 {
-        let bend = (gain + gain) + z * s.times_plus(e + e, (z * o1).by(6.0));
-        let gain = newton.times_plus(bend, gain);
-        // What is left out of the step and of the gain is newton² bend, in relation to the speed.
-        let small = newton.abs().below(s.all(2e-8));
-        (newton, gain, small & (newton * newton * bend.abs()).below((speed - gain).abs().by(1e-16)))
+    let (step, loss, exact) = if N == SHORT.0 {
+        let bend = (loss + loss) + z * s.mul_add(e + e, (z * o1).by(6.0));
+        let loss = newton.mul_add(bend, loss);
+        // What is left out of the step and of the loss is newton² bend, in relation to the speed.
+        let small = newton.abs().below(s.splat(2e-8));
+        (newton, loss, small & (newton * newton * bend.abs()).below((speed - loss).abs().by(1e-16)))
     } else {
         let eight_z = z.by(8.0);
-        let odd = z.times_plus(eight_z.times_plus(o2, o1.by(10.0)), o + o);
-        let even = z.times_plus(eight_z.times_plus(e2, e1.by(14.0)), e.by(6.0));
-        let bend = z * s.times_plus(even, odd);
-        let step = (newton * newton).by(0.5).times_plus(bend * inverse, newton);
-        // The gain at the end of the step. Its second derivative along s is 4 bend - 6 gain up to the fourth order of u.
-        let curved = step.times_plus((bend + bend) - gain.by(3.0), bend);
-        let gain = step.times_plus(curved, gain);
+        let odd = z.mul_add(eight_z.mul_add(o2, o1.by(10.0)), o + o);
+        let even = z.mul_add(eight_z.mul_add(e2, e1.by(14.0)), e.by(6.0));
+        let bend = z * s.mul_add(even, odd);
+        let step = (newton * newton).by(0.5).mul_add(bend * inverse, newton);
+        // The loss at the end of the step. Its second derivative along s is 4 bend - 6 loss up to the fourth order of u.
+        let curved = step.mul_add((bend + bend) - loss.by(3.0), bend);
+        let loss = step.mul_add(curved, loss);
         // What that leaves out is of order x² bend step² and step³.
         let leap = blocks.rate * s * step;
-        let small = step.abs().below(s.all(1e-5));
-        (step, gain, small & (leap * leap * bend.abs()).below((speed - gain).abs().by(2.5e-16)))
+        let small = step.abs().below(s.splat(1e-5));
+        (step, loss, small & (leap * leap * bend.abs()).below((speed - loss).abs().by(2.5e-16)))
     };
-    let interval = s.times_plus(step, s);
+    let interval = s.mul_add(step, s);
     // A root is crossed downwards.
-    let last = exact & slope.below(s.all(0.0));
-    (Step { interval, gain, turn: turn::<L, N>(blocks, interval) }, last)
+    let last = exact & slope.below(s.splat(0.0));
+    (Step { interval, loss, turn: turn::<L, N>(blocks, interval) }, last)
 }
 
 /// By how much the sine of half the phase has grown after a local time, and its cosine shrunk, by `N` terms of each series.
@@ -157,11 +131,30 @@ fn turn<L: Lanes, const N: usize>(blocks: &Blocks<L>, interval: L) -> [L; 2] {
     while m > 0 {
         m -= 1;
         #[allow(clippy::indexing_slicing)] // m < turns <= TERMS; `get` costs the scalar path a third
-        let [odd, even] = [half.all(TURN[m][0]), half.all(TURN[m][1])];
+        let [odd, even] = [half.splat(TURN[m][0]), half.splat(TURN[m][1])];
         (sine, versine) =
-            if m + 1 == turns { (odd, even) } else { (sine.times_plus(square, odd), versine.times_plus(square, even)) };
+            if m + 1 == turns { (odd, even) } else { (sine.mul_add(square, odd), versine.mul_add(square, even)) };
     }
     let (sine, versine) = (half * sine, square * versine);
     let Blocks { sin: Twofold { high: sin, .. }, cos: Twofold { high: cos, .. }, .. } = *blocks;
-    [cos.times_plus(sine, -(sin * versine)), sin.times_plus(sine, cos * versine)]
+    [cos.mul_add(sine, -(sin * versine)), sin.mul_add(sine, cos * versine)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Every coefficient by itself: `1/(2m+1)!` and `1/(2m+2)!` of the motion; of the turn with alternating signs, and from `m = 0`.
+    #[test]
+    fn every_coefficient_is_right_to_its_last_digits() {
+        let inverse_factorial = |n: usize| 1.0 / (1..=n as u128).product::<u128>() as f64;
+        for (index, (series, turn)) in SERIES.into_iter().zip(TURN).enumerate() {
+            let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
+            for (which, (series, turn)) in series.into_iter().zip(turn).enumerate() {
+                assert_relative_eq!(series, inverse_factorial(2 * index + 3 + which), max_relative = 4e-15);
+                assert_relative_eq!(turn, sign * inverse_factorial(2 * index + 1 + which), max_relative = 4e-15);
+            }
+        }
+    }
 }

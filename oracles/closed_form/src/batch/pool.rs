@@ -4,10 +4,11 @@ use contract::{Ending, Limit};
 
 use super::{
     CHUNK, Rows, Sequence, Tally, Work,
-    blocks::{Blocks, Impact},
+    blocks::Impact,
     lanes::Lanes,
     order,
     single::{Finished, Single},
+    state::Blocks,
 };
 
 /// How many impacts are collected before they are written to their rows.
@@ -226,8 +227,8 @@ impl<L: Lanes, const GROUPS: usize> Pool<'_, '_, L, GROUPS> {
         for (lane, (last, gone)) in last.iter_mut().zip(&mut gone).enumerate().take(Self::LANES) {
             let Some(Group { blocks, held }) = self.groups.get_mut(lane / L::COUNT) else { continue };
             let lane = lane % L::COUNT;
-            let zero = blocks.omega.all(0.0);
-            if zero.all(1.0).or(blocks.unsure, zero).lane(lane) != 1.0 {
+            let zero = blocks.omega.splat(0.0);
+            if zero.splat(1.0).select(blocks.unsure, zero).lane(lane) != 1.0 {
                 continue;
             }
             self.tally.alone += 1;

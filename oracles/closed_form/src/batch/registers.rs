@@ -84,7 +84,7 @@ impl Lanes for Two {
     type Mask = f64x2;
 
     #[inline(always)]
-    fn all(self, value: f64) -> Self {
+    fn splat(self, value: f64) -> Self {
         Self(f64x2::splat(value))
     }
 
@@ -94,7 +94,7 @@ impl Lanes for Two {
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 
@@ -124,7 +124,7 @@ impl Lanes for Two {
     }
 
     #[inline(always)]
-    fn or(self, mask: f64x2, other: Self) -> Self {
+    fn select(self, mask: f64x2, other: Self) -> Self {
         Self(mask.select(self.0, other.0))
     }
 
@@ -152,7 +152,7 @@ impl<S: Simd> Lanes for Found<S> {
     type Mask = FoundMask<S>;
 
     #[inline(always)]
-    fn all(self, value: f64) -> Self {
+    fn splat(self, value: f64) -> Self {
         Self { of: self.simd.splat_f64s(value), ..self }
     }
 
@@ -162,7 +162,7 @@ impl<S: Simd> Lanes for Found<S> {
     }
 
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         Self { of: self.simd.mul_add_f64s(self.of, factor.of, term.of), ..self }
     }
 
@@ -192,7 +192,7 @@ impl<S: Simd> Lanes for Found<S> {
     }
 
     #[inline(always)]
-    fn or(self, mask: FoundMask<S>, other: Self) -> Self {
+    fn select(self, mask: FoundMask<S>, other: Self) -> Self {
         Self { of: self.simd.select_f64s(mask.of, self.of, other.of), ..self }
     }
 

@@ -3,14 +3,14 @@
 use contract::{Ending, Loss};
 
 use crate::{
-    flight::{Outcome, Takeoff},
     flow::Flow,
     forcing::{Excitation, Forcing, HalfPhase},
     rest::ProofOfRest,
+    takeoff::{Outcome, Takeoff},
     twofold::{Split, Twofold},
 };
 
-use super::{blocks::Blocks, lanes::Lanes};
+use super::{lanes::Lanes, state::Blocks};
 
 /// A case after an impact, or at its start.
 pub(super) struct Single {
@@ -73,7 +73,7 @@ impl Single {
         if self.half.cos <= 0.0 || now >= half_period {
             return unlisted(Ending::Incomplete);
         }
-        self.speed = self.speed.plus(-landing.gain).times(Split::new(self.eta));
+        self.speed = self.speed.plus(-landing.loss).times(Split::new(self.eta));
         self.sign = -self.sign;
         self.forcing = self.excitation.forcing(self.sign, self.half);
         self.interval = landing.interval;

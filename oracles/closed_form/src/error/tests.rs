@@ -2,10 +2,10 @@
 
 use super::*;
 use crate::{
-    flight::Outcome,
     flow::Flow,
     forcing::{Excitation, Forcing},
     march,
+    takeoff::Outcome,
     twofold::Twofold,
 };
 use approx::assert_relative_eq;
@@ -58,23 +58,23 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     /// The same linear map, written as rows that act on four independent errors: of the time and the speed before, of the rotation and of
-    /// the gain at the impact.
+    /// the loss at the impact.
     #[test]
     fn the_covariance_is_that_of_a_linear_map(
         interval in 0.3..3.0f64, velocity in 0.3..3.0f64, (sinh, cosh) in (0.3..3.0f64, 0.3..3.0f64), (tilt, turn) in (-3.0..3.0f64, -3.0..3.0f64),
-        (acceleration, off_parabola) in (-3.0..3.0f64, -3.0..3.0f64), (rotation, gain) in (0.3..3.0f64, 0.3..3.0f64), speed in 0.3..3.0f64,
+        (acceleration, off_parabola) in (-3.0..3.0f64, -3.0..3.0f64), (rotation, loss) in (0.3..3.0f64, 0.3..3.0f64), speed in 0.3..3.0f64,
         (a, c, share) in (0.3..3.0f64, 0.3..3.0f64, -0.8..0.8f64),
     ) {
         let takeoff = takeoff(0.4, speed);
         let landing = Landing {
             interval,
-            gain: 0.0,
+            loss: 0.0,
             velocity: -velocity,
             acceleration,
             off_parabola,
             by_speed: (sinh, cosh),
             by_time: (tilt, turn),
-            rounding: (rotation, gain),
+            rounding: (rotation, loss),
         };
         // u = 0 at the end: ds = -du/u'
         let stretch = [tilt / velocity / interval, sinh * speed / velocity / interval, 1.0 + rotation / velocity, 0.0];
@@ -84,7 +84,7 @@ proptest! {
             -(turn + acceleration * tilt / velocity) / velocity,
             -(cosh * speed + acceleration * sinh * speed / velocity) / velocity,
             -off_parabola / velocity * interval * stretch[2],
-            gain / velocity,
+            loss / velocity,
         ];
         let both = share * (a * c).sqrt();
         let product = |x: [f64; 4], y: [f64; 4]| {
@@ -115,7 +115,7 @@ fn no_number_is_claimed_to_be_known_because_its_errors_cancel() {
     let takeoff = takeoff(0.4, 1.0);
     let landing = Landing {
         interval: 1.0,
-        gain: 0.0,
+        loss: 0.0,
         velocity: -1.0,
         acceleration: 0.0,
         off_parabola: 0.0,
@@ -137,7 +137,7 @@ fn where_the_flight_only_touches_the_base_nothing_is_claimed() {
     for velocity in [0.0, 0.1] {
         let landing = Landing {
             interval: 1.0,
-            gain: 0.0,
+            loss: 0.0,
             velocity,
             acceleration: 1.0,
             off_parabola: 0.0,

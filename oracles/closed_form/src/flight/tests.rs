@@ -1,6 +1,7 @@
 //! Each step of a flight against a formula of its own: the guess, Newton's method, the proof that a root is the first, and what is handed on.
 
 use super::*;
+use crate::{flow::Flow, twofold::Twofold};
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
@@ -137,10 +138,10 @@ mod newton {
         assert!(takeoff.newton(longest).is_some_and(|landing| landing.interval < longest));
     }
 
-    /// Wherever the last step started, the gain is that of the root, to rounding and to the `1e-18` of the speed that may be left out; and
+    /// Wherever the last step started, the loss is that of the root, to rounding and to the `1e-18` of the speed that may be left out; and
     /// what is left out is in the rounding error.
     #[test]
-    fn the_gain_is_that_of_the_root_itself() {
+    fn the_loss_is_that_of_the_root_itself() {
         for speed in [1e-6, 1e-4, 1e-2, 0.1, 0.5] {
             let takeoff = takeoff(0.03, 2.0, 0.4, 1.0, speed);
             let root = takeoff.newton(takeoff.first_guess()).map_or(f64::NAN, |landing| landing.interval);
@@ -148,13 +149,13 @@ mod newton {
             for off in [1e-4, 1e-5, 5e-7, 1e-7, 2e-8, 5e-9, 5e-10, -1e-4, -1e-5, -5e-7, -1e-7, -2e-8, -5e-9, -5e-10] {
                 let Some(landing) = takeoff.newton(root * (1.0 + off)) else { panic!("{speed} {off}") };
                 assert_relative_eq!(landing.interval, root, max_relative = 4e-16);
-                let allowed = 1e-15 * at_root.gain.abs() + 1e-18 * speed;
+                let allowed = 1e-15 * at_root.loss.abs() + 1e-18 * speed;
                 assert!(
-                    (landing.gain - at_root.gain).abs() <= allowed,
+                    (landing.loss - at_root.loss).abs() <= allowed,
                     "{speed} {off}: {:e}",
-                    landing.gain - at_root.gain
+                    landing.loss - at_root.loss
                 );
-                let summed = takeoff.landing(root, at_root.gain, 0.0, at_root.bend).rounding.1;
+                let summed = takeoff.landing(root, at_root.loss, 0.0, at_root.bend).rounding.1;
                 let left_out = (landing.rounding.1 - summed) * UNIT;
                 assert!((-1e-15 * summed * UNIT..=1e-18 * speed).contains(&left_out), "{speed} {off}: {left_out:e}");
             }
@@ -295,7 +296,7 @@ mod handed_on {
     fn what_is_known_at_the_impact() {
         let takeoff = driven(0.5, 2.0, 3.0, [-4.0, -2.0, 5.0]);
         let landing = takeoff.landing(0.5, 1.0, 13.0 * UNIT, 0.25);
-        assert_eq!((landing.interval, landing.gain, landing.velocity), (0.5, 1.0, -2.0));
+        assert_eq!((landing.interval, landing.loss, landing.velocity), (0.5, 1.0, -2.0));
         assert_eq!((landing.off_parabola, landing.acceleration), (0.5, 0.5 - 8.0));
         let (by_speed, by_time) = takeoff.derivatives(0.5, -2.0, -7.5);
         assert_eq!((landing.by_speed, landing.by_time), (by_speed, by_time));

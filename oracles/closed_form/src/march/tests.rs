@@ -68,14 +68,14 @@ fn the_steps_of_special_parabolas() {
 fn what_is_handed_on_at_the_end_of_a_march() {
     let takeoff = takeoff(0.3, 2.0, 0.4, 1.0, 3.0);
     let landing = land(&takeoff, 0.5, (1e-17, -2.0), -7.0, 1.5);
-    assert_eq!((landing.interval, landing.velocity, landing.gain), (0.5, -2.0, 1.0));
+    assert_eq!((landing.interval, landing.velocity, landing.loss), (0.5, -2.0, 1.0));
     assert_eq!((landing.acceleration, landing.off_parabola), (-7.0, -7.0 + 8.0));
     assert_eq!((landing.by_speed, landing.by_time), takeoff.derivatives(0.5, -2.0, -7.0));
     assert_relative_eq!(landing.rounding.1, 4.0 * 1.5 * 0.5f64.cosh(), max_relative = 1e-15);
     assert_relative_eq!(landing.rounding.0, landing.rounding.1 / 0.5, max_relative = 1e-15);
     // What grazes the base does not land upwards.
     let grazing = land(&takeoff, 0.5, (0.0, 1e-9), -7.0, 1.5);
-    assert_eq!((grazing.velocity, grazing.gain), (0.0, 3.0));
+    assert_eq!((grazing.velocity, grazing.loss), (0.0, 3.0));
 }
 
 proptest! {

@@ -1,6 +1,6 @@
 //! The bounds on the acceleration hold at every time of the window and at every height that a flight reaches.
 
-use super::flights;
+use super::{flights, time_left};
 use crate::{
     equation::Start,
     excitation::{HalfPhase, Side},
@@ -47,4 +47,36 @@ fn check(epsilon: f64, omega: f64, [speed, window]: [f64; 2], least_windows: usi
         }
     }
     assert!(found > least_windows, "{found} windows");
+}
+
+/// The bounds hold in the window, so the time that is left has to be inside it, by the sums of the geometric series in doubles: 1.5 times what it
+/// would be if nothing changed. It is refused where it would be longer, and not long before.
+#[test]
+fn what_is_left_is_inside_the_window() {
+    let (mut nearly_full, mut refused) = (0, 0);
+    for eta in [0.05, 0.5, 0.8, 0.92] {
+        for omega in [0.3, 2.0, 20.0] {
+            let motion = Motion::<f64>::new(&Interval::exactly(0.03), omega, None);
+            for n in 1..=30 {
+                let phase =
+                    motion.excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
+                let pull = |side| motion.excitation.pull(&phase, side);
+                let [ours, others] = [Side::Plus, Side::Minus].map(|side| pull(side).value.middle());
+                for k in 0..60 {
+                    let speed = 0.5 * 0.8_f64.powi(k);
+                    let left = time_left(&motion, pull, Side::Plus, &Interval::exactly(speed), eta);
+                    let steady = 2.0 * speed * (1.0 / ours + eta / others) / (1.0 - eta * eta);
+                    match left {
+                        Some(left) => {
+                            assert!(left.upper <= 1.5 * steady * (1.0 + 1e-12), "{eta} {omega} {n} {speed}");
+                            assert!(left.lower <= steady && steady <= left.upper, "{eta} {omega} {n} {speed}");
+                            nearly_full += usize::from(left.upper > 1.2 * steady);
+                        }
+                        None => refused += 1,
+                    }
+                }
+            }
+        }
+    }
+    assert!(nearly_full > 50 && refused > 500, "{nearly_full} {refused}");
 }

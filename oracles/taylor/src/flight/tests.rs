@@ -203,3 +203,16 @@ fn a_flight_is_followed_to_its_horizon() {
         assert!(steps <= 12, "{steps}");
     }
 }
+
+/// Where what the series begins with leads through the base, nothing lands: at the start of the shaking the ground pushes to one side only.
+#[test]
+fn a_flight_that_begins_below_the_base_has_fallen_through() {
+    for (epsilon, omega, alpha) in [(0.03, 2.0, 0.2), (1.0, 0.5, 0.9), (1e-6, 20.0, 0.01)] {
+        let block = Block::new(epsilon, omega, 0.9, alpha);
+        assert_eq!(fly(&block, 1.0, 0.0, 0.0, 10.0), Landing::Lost(Loss::FellThrough));
+        assert!(matches!(fly(&block, -1.0, 0.0, 0.0, 1e9), Landing::Impact { .. } | Landing::Overturned));
+    }
+    for polynomial in [&[0.0, 1.0][..], &[-1e-300, 1.0], &[]] {
+        assert!(matches!(first_root(polynomial, 1.0), Root::Below));
+    }
+}
