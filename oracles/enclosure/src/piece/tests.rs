@@ -166,7 +166,7 @@ fn of_several_roots_the_first_is_found() {
 fn the_bound_on_the_hyperbolic_cosine_is_above_it() {
     for k in 0..=2000 {
         let h = 1e-3 * f64::from(k);
-        let bound = cosh_above(&Interval::exactly(h).squared()).upper;
+        let bound = super::cosh_above(&Interval::exactly(h).squared()).upper;
         assert!(bound >= h.cosh() && bound < 1.01 * h.cosh(), "{h}: {bound} {}", h.cosh());
     }
 }
