@@ -17,7 +17,7 @@ use ode::{Equation, Flights, Ode};
 use printed::Printed;
 use taylor::Taylor;
 
-use crate::motion::linearisation::Corrected;
+use crate::{gate::roles::Roles, motion::linearisation::Corrected};
 
 pub use lookup::{all, default, judges, may_decline, method, methods, model_of, one, select, with_role};
 pub use settings::{Refused, Setting, Settings};
@@ -64,6 +64,11 @@ pub struct Method {
 
 /// The oracle whose error is to fall with `ε`: the series to the order of the paper.
 pub const SERIES: &str = "asymptotic/paper";
+
+/// What the gate is told of the panel.
+pub fn roles() -> Roles<'static> {
+    Roles { series: SERIES, may_decline: &may_decline }
+}
 
 /// What is made for every case declines hardly any.
 const HARDLY_ANY: f64 = 0.01;

@@ -3,7 +3,12 @@ use std::{fs, path::PathBuf};
 use anyhow::Context as _;
 use chattercheck::{
     cases::generate::Named,
-    gate::{judge::Judges, replay::Replay, report, run},
+    gate::{
+        judge::Judges,
+        replay::Replay,
+        report::{self, Report},
+        run,
+    },
     panel,
 };
 use clap::Args;
@@ -30,7 +35,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
-    let (report, _) = run::run(&panel, &judges, &cases, replay.seed, None, || ());
+    let report = Report::new(&run::run(&panel, &judges, &cases, replay.seed, None, |_| ()), &panel::roles());
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));

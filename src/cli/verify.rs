@@ -1,13 +1,16 @@
-use std::path::{Path, PathBuf};
+use std::{
+    path::{Path, PathBuf},
+    sync::atomic::{AtomicUsize, Ordering},
+};
 
 use chattercheck::{
     gate::{
-        examine::Finding,
+        failure::{Failure, by_cause},
         judge::Judges,
         ladder,
         replay::Replay,
         report::{self, Report},
-        run::{self, Failure, Selection},
+        run::{self, Selection},
         shrink::shrink,
     },
     panel,
@@ -46,6 +49,9 @@ pub(super) struct Arguments {
     partition: String,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
+    /// Print the wide tables too: every pair, every claim, every law
+    #[arg(long)]
+    full: bool,
     /// No progress bar
     #[arg(long)]
     quiet: bool,
@@ -71,23 +77,48 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
     let files = arguments.files.check()?;
     let replays = arguments.replays()?;
-    let cases = run::cases(&Selection { cases: arguments.cases, seed, partition });
+    let cases = run::cases(&Selection { cases: arguments.cases, seed, partition }, panel::stepper().as_ref());
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
     let bar = progress(cases.len() as u64, arguments.quiet);
-    let ladders = Some(ladder::descend(&panel)?);
-    let (report, failures) = run::run(&panel, &judges, &cases, seed, ladders, || bar.inc(1));
+    let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
+    let failed = AtomicUsize::new(0);
+    let done = |is_wrong: bool| {
+        if is_wrong {
+            bar.set_message(format!(", {} failed", failed.fetch_add(1, Ordering::Relaxed) + 1));
+        }
+        bar.inc(1);
+    };
+    let run = run::run(&panel, &judges, &cases, seed, ladders, done);
     bar.finish_and_clear();
+    let report = Report::new(&run, &panel::roles());
     // First what was found: shrinking may take a while.
     let status = if report.passes() { Status::Well } else { Status::Disagreed };
-    let status = status.after(files.print(&report::text(&report)));
+    let tables = if arguments.full { format!("\n{}", report::full(&report)) } else { String::new() };
+    let text = format!("{}{}{tables}", report::text(&report), next(&report, arguments.full, replays));
+    let status = status.after(files.print(&text));
     let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
-    if let Err(error) = write_replays(&panel, &judges, &report, &failures, replays, partition) {
+    if let Err(error) = write_replays(&panel, &judges, seed, &run.failures, replays, partition) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
     }
     Ok(status)
+}
+
+/// What to do next, in a line.
+fn next(report: &Report, full: bool, folder: &Path) -> String {
+    let tables = if full { "" } else { "; --full prints every pair, claim and law" };
+    if report.passes() {
+        format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1))
+    } else if report.failures.is_empty() {
+        format!("next: see which oracles the shortfalls name{tables}\n")
+    } else {
+        let folder = folder.display();
+        format!(
+            "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`{tables}\n"
+        )
+    }
 }
 
 /// Where replay files go unless told otherwise.
@@ -129,44 +160,33 @@ fn partition(text: &str) -> Result<(usize, usize), Invalid> {
 fn progress(length: u64, quiet: bool) -> ProgressBar {
     let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(length), target);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} cases, {eta} left") {
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} cases, {eta} left{msg}") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
 }
 
-/// The oracles that a replay asks: those of the finding, and one to compare with.
-fn concerned(oracles: &[String], finding: &Finding) -> Vec<String> {
-    let of_finding = |oracle: &&String| finding.oracles().contains(&oracle.as_str());
-    let other = oracles.iter().find(|oracle| !of_finding(oracle));
-    let needed = if finding.oracles().len() < 2 { other } else { None };
-    oracles.iter().filter(of_finding).chain(needed).cloned().collect()
-}
+/// How many causes are shrunk, and how many failures of each.
+const CAUSES: usize = 5;
+const OF_EACH: usize = 2;
 
-/// How many failures are shrunk and written.
-const MOST_REPLAYS: usize = 10;
-
-/// Shrinks the first finding of the first failures and writes each to a file.
+/// Shrinks the first finding of a few failures of each cause, and writes each to a file.
 fn write_replays(
     panel: &[&dyn Oracle],
     judges: &Judges,
-    report: &Report,
+    seed: u64,
     failures: &[Failure],
     folder: &Path,
     (part, parts): (usize, usize),
 ) -> anyhow::Result<()> {
-    let replays: Vec<Replay> = failures
-        .par_iter()
-        .take(MOST_REPLAYS)
+    let groups = by_cause(failures, Failure::cause);
+    let chosen: Vec<&Failure> =
+        groups.into_iter().take(CAUSES).flat_map(|(_, group)| group.into_iter().take(OF_EACH)).collect();
+    let replays: Vec<Replay> = chosen
+        .into_par_iter()
         .filter_map(|failure| {
-            let (case, finding) = shrink(panel, judges, &failure.named.case, failure.findings.first()?);
-            Some(Replay::new(
-                &case,
-                &finding,
-                failure.named.to_string(),
-                report.seed,
-                &concerned(&report.oracles, &finding),
-            ))
+            let shrunk = shrink(panel, judges, &failure.named.case, failure.findings.first()?);
+            Some(Replay::new(&shrunk, failure.named.to_string(), seed))
         })
         .collect();
     let part = if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() };
@@ -174,9 +194,14 @@ fn write_replays(
         make_folder("replays", folder)?;
     }
     for (number, replay) in (1..).zip(&replays) {
-        let path = folder.join(format!("seed-{}{part}-{number}.toml", report.seed));
+        let path = folder.join(format!("seed-{seed}{part}-{number}.toml"));
         Target::new(&path)?.write(&replay.to_text()?)?;
-        note(format_args!("shrunk: {}\n  run again: chattercheck replay {}", replay.finding, path.display()));
+        note(format_args!(
+            "shrunk {}: {}\n  run again: chattercheck replay {}",
+            replay.found_in,
+            replay.finding,
+            path.display()
+        ));
     }
     Ok(())
 }

@@ -7,11 +7,14 @@ use super::{Fault, plant::Planted, remember::Remembering};
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        examine::{Examination, Finding, examine_answers},
+        examine::{Examination, examine_answers},
+        finding::Finding,
+        identity::Identity,
         judge::Judges,
         ladder,
-        report::{Report, Tally},
-        run::{self, Failure, Selection},
+        run::{self, Run, Selection},
+        shortfall::{Shortfall, shortfalls},
+        tally::Tally,
     },
     measure::asking::{Answer, ask},
     panel::{self, Panel, SERIES},
@@ -45,7 +48,7 @@ const EVERY: [(Generator, usize); 4] =
 impl Gate {
     /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 40 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
-        let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) });
+        let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) }, panel::stepper().as_ref());
         let of = |(generator, every)| {
             all.iter().filter(move |named| named.generator == generator).step_by(every).cloned().collect::<Vec<_>>()
         };
@@ -156,17 +159,14 @@ impl Gate {
             .filter(|(other, _)| stepper == Some(place) || stepper == Some(*other) || *other == place)
             .map(|(_, oracle)| *oracle)
             .collect();
-        let ladders = ladder::descend(&on_ladders)?;
+        let ladders = ladder::descend(&on_ladders, SERIES)?;
         let mut tally = Tally::default();
         tallies.into_iter().for_each(|of_case| tally.add(of_case));
-        let names: Vec<&str> = panel.iter().map(|oracle| oracle.name()).collect();
-        let none: [Failure; 0] = [];
-        let report = Report::new(&names, self.seed, tally, ladders, &none, true);
-        Ok(report.shortfalls.into_iter().next().map(|shortfall| {
-            // What stands in brackets are the numbers of a ladder.
-            let short = shortfall.split(" (").next().unwrap_or_default();
-            Evidence { case: None, other: None, by: format!("the run: {short}") }
-        }))
+        let names = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
+        let run = Run::of(names, self.seed, Identity::of_all(&self.cases), tally, Some(ladders), Vec::new());
+        let (shortfalls, _) = shortfalls(&run, &panel::roles());
+        let by = |shortfall: Shortfall| format!("the run: {}", shortfall.in_short());
+        Ok(shortfalls.into_iter().next().map(|shortfall| Evidence { case: None, other: None, by: by(shortfall) }))
     }
 }
 

@@ -12,7 +12,7 @@ pub mod floor;
 pub mod gate;
 pub mod plant;
 pub mod recursion;
-mod remember;
+pub mod remember;
 pub mod specimen;
 
 use plant::Plant;

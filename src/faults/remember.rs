@@ -33,7 +33,7 @@ impl Key {
 }
 
 /// An oracle and everything that it has answered.
-pub(super) struct Remembering {
+pub struct Remembering {
     /// The oracle itself, for questions that are not worth keeping.
     pub(super) oracle: Box<dyn Oracle>,
     answers: Mutex<HashMap<Key, Result<History, Decline>>>,
@@ -41,7 +41,8 @@ pub(super) struct Remembering {
 }
 
 impl Remembering {
-    pub(super) fn new(oracle: Box<dyn Oracle>) -> Self {
+    /// Asked nothing yet.
+    pub fn new(oracle: Box<dyn Oracle>) -> Self {
         Self { oracle, answers: Mutex::default(), sensitivities: Mutex::default() }
     }
 }

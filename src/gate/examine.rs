@@ -1,13 +1,14 @@
 //! One case through the whole panel: every oracle's answer, every law, every pair.
 
 use contract::{Case, Decline, Model, Normalisation, Oracle};
-use serde::{Deserialize, Serialize};
 
 use crate::{
     gate::{
-        compare::{Agreement, Comparison, Disagreement, Slack, compare},
+        compare::{Agreement, Comparison, Slack, compare},
         endings,
-        judge::Judgement,
+        expected::{self, Divergence},
+        finding::Finding,
+        judge::{Judgement, Judges},
         laws::{self, Breach, Checked, Law},
     },
     measure::{
@@ -27,6 +28,8 @@ pub struct Examination {
     pub pairs: Vec<(usize, usize, Pairing)>,
     /// What the judge says, where it was asked.
     pub judgements: Vec<Judgement>,
+    /// Known divergences whose regime the case is in, by their place in the table, and by how much the two differ.
+    pub known: Vec<(usize, f64)>,
 }
 
 /// What came out of a pair.
@@ -39,38 +42,18 @@ pub enum Pairing {
     Incomparable(&'static str),
 }
 
-/// One thing that is wrong with a case: what a red gate has to show.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Finding {
-    /// Two oracles disagree.
-    Pair {
-        /// Their names.
-        oracles: [String; 2],
-        /// On what.
-        disagreement: Disagreement,
-    },
-    /// An oracle breaks a law.
-    Law {
-        /// Its name.
-        oracle: String,
-        /// Which, and where.
-        breach: Breach,
-    },
-    /// An oracle is further from a proven enclosure than it claims.
-    Refuted {
-        /// Its name.
-        oracle: String,
-        /// The name of the judge.
-        judge: String,
-        /// On what; the first of the two values is the judge's.
-        disagreement: Disagreement,
-    },
-}
-
 /// Asks every oracle of the panel, and compares.
 pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
     examine_answers(panel, case, panel.iter().map(|oracle| ask(*oracle, case)).collect(), |_, _| true)
+}
+
+/// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
+pub fn examine_and_judge(panel: &[&dyn Oracle], judges: &Judges, case: &Case, asked: bool) -> Examination {
+    let mut examination = examine(panel, case);
+    if asked || !examination.findings().is_empty() {
+        examination.judgements = judges.judge(case, &examination.answers, |_| true);
+    }
+    examination
 }
 
 /// Compares answers that the oracles of the panel have already given to this case: those pairs, by their places, that are `wanted`, and
@@ -106,7 +89,8 @@ pub fn examine_answers(
             pairs.push((i, j, pair(case, first, second, Slack { conditioning: &conditioning, gap: gap.as_ref() })));
         }
     }
-    Examination { answers, checked, pairs, judgements: Vec::new() }
+    let known = known(case, &answers, &pairs);
+    Examination { answers, checked, pairs, judgements: Vec::new(), known }
 }
 
 /// The gap between the models on this case, by the first linear oracle that has a history. `None` if no pair needs it, or there is none.
@@ -133,6 +117,20 @@ fn pair(case: &Case, first: &Answer, second: &Answer, slack: Slack) -> Pairing {
     }
 }
 
+fn known(case: &Case, answers: &[Answer], pairs: &[(usize, usize, Pairing)]) -> Vec<(usize, f64)> {
+    let mut known = Vec::new();
+    for (i, j, pairing) in pairs {
+        let (Some(first), Some(second)) = (answers.get(*i), answers.get(*j)) else { continue };
+        let comparison = match pairing {
+            Pairing::Compared(comparison) => Some(comparison),
+            Pairing::Absent | Pairing::Incomparable(_) => None,
+        };
+        let seen = |(place, entry): (usize, &Divergence)| Some((place, entry.seen(case, first, second, comparison)?));
+        known.extend(expected::table().iter().enumerate().filter_map(seen));
+    }
+    known
+}
+
 fn why_incomparable(case: &Case) -> &'static str {
     match case.slenderness().map(|slenderness| slenderness.normalisation()) {
         Some(Normalisation::Slender) => "slender normalisation: the models differ in their threshold",
@@ -148,7 +146,7 @@ impl Examination {
             self.checked.iter().enumerate().filter_map(|(place, checked)| {
                 Some(Finding::Law { oracle: name(place), breach: checked.breach.clone()? })
             });
-        let pairs = self.pairs.iter().filter_map(|(i, j, outcome)| match outcome {
+        let pairs = self.pairs.iter().filter_map(|(i, j, pairing)| match pairing {
             Pairing::Compared(Comparison { agreement: Agreement::Disagree(disagreement), .. }) => {
                 Some(Finding::Pair { oracles: [name(*i), name(*j)], disagreement: disagreement.clone() })
             }
@@ -161,10 +159,28 @@ impl Examination {
         laws.chain(refuted).chain(pairs).collect()
     }
 
-    /// The names of the oracles that the judge was asked about and found nothing wrong with.
-    pub fn confirmed(&self) -> Vec<String> {
-        let sound = self.judgements.iter().filter(|judgement| judgement.refuted.is_none());
+    /// The names of the oracles with whose answers the judge found nothing wrong, nor any law.
+    pub fn sound(&self) -> Vec<String> {
+        let broken = |place: usize| self.checked.get(place).is_some_and(|checked| checked.breach.is_some());
+        let sound = self.judgements.iter().filter(|judged| judged.refuted.is_none() && !broken(judged.place));
         sound.filter_map(|judgement| Some(self.answers.get(judgement.place)?.oracle.clone())).collect()
+    }
+
+    /// The judges that refute several oracles which agree among themselves: then it is more likely that the judge is wrong.
+    pub fn suspect_judges(&self) -> Vec<String> {
+        let mut judges: Vec<&str> = self.judgements.iter().map(|judgement| judgement.judge.as_str()).collect();
+        judges.dedup();
+        let is_suspect = |judge: &&str| {
+            let refuted = |judgement: &&Judgement| judgement.judge == *judge && judgement.refuted.is_some();
+            let refuted: Vec<usize> = self.judgements.iter().filter(refuted).map(|judgement| judgement.place).collect();
+            let among_them = |(one, two, _): &&(usize, usize, Pairing)| refuted.contains(one) && refuted.contains(two);
+            let mut pairs = self.pairs.iter().filter(among_them).peekable();
+            pairs.peek().is_some()
+                && pairs.all(|(.., pairing)| {
+                    matches!(pairing, Pairing::Compared(Comparison { agreement: Agreement::Agree, .. }))
+                })
+        };
+        judges.into_iter().filter(is_suspect).map(str::to_owned).collect()
     }
 
     /// The answers that are declines.
@@ -173,40 +189,5 @@ impl Examination {
             Reply::Declined(decline) => Some((answer.oracle.as_str(), decline)),
             _ => None,
         })
-    }
-}
-
-impl Finding {
-    /// The names of the oracles that it is about.
-    pub fn oracles(&self) -> Vec<&str> {
-        match self {
-            Self::Pair { oracles, .. } => oracles.iter().map(String::as_str).collect(),
-            Self::Law { oracle, .. } | Self::Refuted { oracle, .. } => vec![oracle],
-        }
-    }
-
-    /// The first impact that it shows at.
-    pub fn impact(&self) -> usize {
-        match self {
-            Self::Pair { disagreement, .. } | Self::Refuted { disagreement, .. } => disagreement.figure.impact,
-            Self::Law { breach, .. } => breach.impact,
-        }
-    }
-
-    /// Whether it is that an oracle breaks this law.
-    pub fn breaks(&self, law: Law) -> bool {
-        matches!(self, Self::Law { breach, .. } if breach.law == law)
-    }
-
-    /// Whether another finding is of the same oracles and kind, so that a smaller case with it shows the same problem.
-    pub fn resembles(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Pair { oracles: mine, .. }, Self::Pair { oracles: theirs, .. }) => mine == theirs,
-            (Self::Law { oracle: mine, breach: one }, Self::Law { oracle: theirs, breach: two }) => {
-                mine == theirs && one.law == two.law
-            }
-            (Self::Refuted { oracle: mine, .. }, Self::Refuted { oracle: theirs, .. }) => mine == theirs,
-            _ => false,
-        }
     }
 }

@@ -9,7 +9,6 @@ use crate::{
         asking::{Answer, ask},
         critical,
     },
-    panel::SERIES,
 };
 
 /// The two ladders.
@@ -90,19 +89,19 @@ impl Descent {
 const PLACES: [(f64, f64, f64); 6] =
     [(2.0, 0.92, 0.8), (0.5, 0.92, 0.5), (8.0, 0.92, 0.9), (2.0, 0.6, 0.7), (1.0, 0.8, 0.6), (4.0, 0.95, 0.5)];
 
-/// Climbs down both ladders everywhere, with the first linear oracle of the panel against each nonlinear one, and against the series.
+/// Climbs down both ladders everywhere, with the first linear oracle of the panel against each nonlinear one, and against the `series`.
 ///
 /// # Errors
 /// Never for the built-in places; the contract would have to refuse one.
-pub fn descend(panel: &[&dyn Oracle]) -> Result<Vec<Descent>, Invalid> {
-    let Some(stepper) = panel.iter().find(|oracle| oracle.model() == Model::Linear && oracle.name() != SERIES) else {
+pub fn descend(panel: &[&dyn Oracle], series: &str) -> Result<Vec<Descent>, Invalid> {
+    let Some(stepper) = panel.iter().find(|oracle| oracle.model() == Model::Linear && oracle.name() != series) else {
         return Ok(Vec::new());
     };
     let mut descents = Vec::new();
     for other in panel {
         let ladder = match other.model() {
             Model::Nonlinear => Ladder::Alpha,
-            Model::Linear if other.name() == SERIES => Ladder::Epsilon,
+            Model::Linear if other.name() == series => Ladder::Epsilon,
             Model::Linear => continue,
         };
         for (omega, eta, share) in PLACES {

@@ -8,7 +8,7 @@ use crate::{
         case_file::{self, CaseFields},
         hex_float,
     },
-    gate::{examine::Finding, report},
+    gate::{report, shrink::Shrunk},
 };
 
 /// A stored disagreement.
@@ -54,14 +54,15 @@ pub enum ReplayError {
 }
 
 impl Replay {
-    /// The replay of `finding` in `case`.
-    pub fn new(case: &Case, finding: &Finding, found_in: String, seed: u64, oracles: &[String]) -> Self {
+    /// The replay of what a case was shrunk to.
+    pub fn new(shrunk: &Shrunk, found_in: String, seed: u64) -> Self {
+        let Shrunk { case, finding, oracles, .. } = shrunk;
         let alpha = case.slenderness().map(|slenderness| hex_float::format(slenderness.alpha()));
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             found_in,
             seed,
-            oracles: oracles.to_vec(),
+            oracles: oracles.clone(),
             finding: report::finding_text(finding),
             case: CaseFields::from(case),
             exact: Exact {

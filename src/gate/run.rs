@@ -1,4 +1,4 @@
-//! A verification run: every case through the panel, on all threads, and one report that does not depend on how many there were.
+//! A verification run: every case through the panel, on all threads, with an outcome that does not depend on how many there were.
 
 use contract::Oracle;
 use rayon::prelude::*;
@@ -6,15 +6,12 @@ use rayon::prelude::*;
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        examine::Finding,
-        judge::Judges,
-        ladder::Descent,
-        report::{Report, Tally},
+        examine::examine_and_judge, failure::Failure, identity::Identity, judge::Judges, ladder::Descent, pair::Pair,
+        tally::Tally,
     },
-    panel,
 };
 
-/// What a run is made from.
+/// Which cases a run is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Selection {
     /// How many random cases.
@@ -32,48 +29,54 @@ impl Selection {
     pub const DEFAULT_CASES: usize = 2000;
 }
 
-/// A case in which something was wrong.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failure {
-    /// The case.
-    pub named: Named,
-    /// What was wrong.
-    pub findings: Vec<Finding>,
-    /// The oracles that the judge confirmed.
-    pub confirmed: Vec<String>,
-}
-
-/// The cases of a run, in order. The edge generator finds the critical amplitudes with the first oracle of the default panel, whichever
-/// panel is being verified, so that the cases do not depend on it.
-pub fn cases(selection: &Selection) -> Vec<Named> {
-    let stepper = panel::default().into_iter().next();
-    let all = Generator::ALL.into_iter().flat_map(|generator| match &stepper {
-        Some(stepper) => generator.cases(selection.seed, selection.cases, stepper.as_ref()),
-        None => Vec::new(),
-    });
+/// The cases of a run, in order. The edge generator finds the critical amplitudes with `stepper`, whichever panel is being verified, so that the
+/// cases do not depend on it.
+pub fn cases(selection: &Selection, stepper: &dyn Oracle) -> Vec<Named> {
+    let all =
+        Generator::ALL.into_iter().flat_map(|generator| generator.cases(selection.seed, selection.cases, stepper));
     let (part, parts) = selection.partition;
     all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
 }
 
-/// Runs the cases through the panel, with the judge on a sample of them, and reports on them and on the ladders; a run without ladders is of a few chosen cases and does not have
-/// to prove anything as a whole. `done` is called after each case, from any thread.
+/// What came out of a run.
+#[derive(Debug, Clone)]
+pub struct Run {
+    /// The names of the oracles.
+    pub oracles: Vec<String>,
+    /// What the random cases are made from.
+    pub seed: u64,
+    /// What was handed in to be run.
+    pub handed: Identity,
+    /// What was counted.
+    pub tally: Tally,
+    /// Every pair of oracles.
+    pub pairs: Vec<Pair>,
+    /// The ladders.
+    pub ladders: Vec<Descent>,
+    /// The cases in which something was wrong, in order.
+    pub failures: Vec<Failure>,
+    /// Whether the run has to prove something by itself. One without ladders is of a few chosen cases, and has not.
+    pub whole: bool,
+}
+
+/// Runs the cases through the panel, with the judge on a sample of them. A run without `ladders` is of a few chosen cases and does not have to
+/// prove anything as a whole. `done` is called after each case, from any thread, with whether something was wrong with it.
 pub fn run(
     panel: &[&dyn Oracle],
     judges: &Judges,
     cases: &[Named],
     seed: u64,
     ladders: Option<Vec<Descent>>,
-    done: impl Fn() + Sync,
-) -> (Report, Vec<Failure>) {
-    let names: Vec<&str> = panel.iter().map(|oracle| oracle.name()).collect();
-    let results: Vec<(Tally, Failure)> = cases
+    done: impl Fn(bool) + Sync,
+) -> Run {
+    let results: Vec<(Tally, Option<Failure>)> = cases
         .par_iter()
         .enumerate()
         .map(|(place, named)| {
-            let examination = judges.examine(panel, &named.case, judges.asks(place, named));
-            done();
-            let (findings, confirmed) = (examination.findings(), examination.confirmed());
-            (Tally::of(named, &examination), Failure { named: named.clone(), findings, confirmed })
+            let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
+            let failure = Failure::of(named, &examination);
+            done(failure.is_some());
+            (Tally::of(named, &examination), failure)
         })
         .collect();
     let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
@@ -81,10 +84,26 @@ pub fn run(
     let mut failures = Vec::new();
     for (of_case, failure) in results {
         tally.add(of_case);
-        if !failure.findings.is_empty() {
-            failures.push(failure);
-        }
+        failures.extend(failure);
     }
-    let whole = ladders.is_some();
-    (Report::new(&names, seed, tally, ladders.unwrap_or_default(), &failures, whole), failures)
+    let oracles = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
+    Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures)
+}
+
+impl Run {
+    /// A run from what was counted in it.
+    pub fn of(
+        oracles: Vec<String>,
+        seed: u64,
+        handed: Identity,
+        mut tally: Tally,
+        ladders: Option<Vec<Descent>>,
+        failures: Vec<Failure>,
+    ) -> Self {
+        let name = |place: usize| oracles.get(place).cloned().unwrap_or_default();
+        let pairs = std::mem::take(&mut tally.pairs);
+        let pairs = pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
+        let whole = ladders.is_some();
+        Self { oracles, seed, handed, tally, pairs, ladders: ladders.unwrap_or_default(), failures, whole }
+    }
 }

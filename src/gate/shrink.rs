@@ -3,43 +3,67 @@
 use contract::{Case, Horizon, Oracle, Slenderness};
 
 use crate::gate::{
-    examine::{Finding, examine},
+    examine::{examine, examine_and_judge},
+    finding::Finding,
     judge::Judges,
+    laws::Law,
 };
 
-/// How many candidates are tried at the most.
-const TRIES: usize = 400;
+/// How many candidates are tried for one case at the most: it is counted, not timed, so that the same run shrinks to the same cases.
+const TRIES: usize = 120;
+
+/// The smallest case found that still fails in the same way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shrunk {
+    /// The case.
+    pub case: Case,
+    /// What is wrong with it.
+    pub finding: Finding,
+    /// The oracles that it takes to see it, by name.
+    pub oracles: Vec<String>,
+    /// How many candidates were tried.
+    pub tried: usize,
+}
 
 /// The smallest case found that still has a finding resembling `finding`, and that finding. Smaller means: fewer impacts, no slenderness where it
 /// does not matter, and parameters with fewer digits.
-pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Finding) -> (Case, Finding) {
-    // Only the oracles of the finding matter, and the first of the panel, which the gap between models comes from.
-    let concerned: Vec<&dyn Oracle> = panel
-        .iter()
-        .enumerate()
-        .filter(|(place, oracle)| *place == 0 || finding.oracles().contains(&oracle.name()))
-        .map(|(_, oracle)| *oracle)
-        .collect();
+pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Finding) -> Shrunk {
+    let concerned: Vec<&dyn Oracle> = concerned(panel, finding);
+    let oracles = concerned.iter().map(|oracle| oracle.name().to_owned()).collect();
     let fails = |case: &Case| {
         let examination = match finding {
-            Finding::Refuted { .. } => judges.examine(&concerned, case, true),
-            _ => examine(&concerned, case),
+            Finding::Refuted { .. } => examine_and_judge(&concerned, judges, case, true),
+            Finding::Pair { .. } | Finding::Law { .. } => examine(&concerned, case),
         };
         examination.findings().into_iter().find(|found| found.resembles(finding))
     };
-    let mut best = (*case, finding.clone());
-    let mut tries = 0;
-    'again: while tries < TRIES {
-        for candidate in smaller(&best.0, &best.1) {
-            tries += 1;
+    let mut best = Shrunk { case: *case, finding: finding.clone(), oracles, tried: 0 };
+    'again: while best.tried < TRIES {
+        for candidate in smaller(&best.case, &best.finding) {
+            if best.tried >= TRIES {
+                break;
+            }
+            best.tried += 1;
             if let Some(found) = fails(&candidate) {
-                best = (candidate, found);
+                (best.case, best.finding) = (candidate, found);
                 continue 'again;
             }
         }
         break;
     }
     best
+}
+
+/// The oracles that it takes to see a finding: those that it is about; the first of the panel, which the gap between the models comes from; and
+/// another to compare with. Whether an ending stays is asked where those of others differ, so that takes them all.
+fn concerned<'a>(panel: &[&'a dyn Oracle], finding: &Finding) -> Vec<&'a dyn Oracle> {
+    let about = finding.oracles();
+    let of_endings = finding.breaks(Law::RestStays) || finding.breaks(Law::OverturnedStays);
+    let other = panel.iter().position(|oracle| !about.contains(&oracle.name()));
+    let is_needed = |(place, oracle): &(usize, &&dyn Oracle)| {
+        *place == 0 || of_endings || about.contains(&oracle.name()) || (about.len() < 2 && Some(*place) == other)
+    };
+    panel.iter().enumerate().filter(is_needed).map(|(_, oracle)| *oracle).collect()
 }
 
 /// Cases smaller than this one, the smallest first.

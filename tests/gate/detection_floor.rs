@@ -1,5 +1,7 @@
 //! Every planted fault is seen, and the specimens that faults are planted with are honest without one.
 
+use std::sync::OnceLock;
+
 use chattercheck::{
     faults::{
         Fault, Size,
@@ -13,10 +15,13 @@ use chattercheck::{
     panel,
 };
 
-/// One oracle of each kind.
-fn gate() -> Gate {
-    let names = "closed-form,ode/linear/tsit45,ode/nonlinear/tsit45,taylor,asymptotic/paper";
-    Gate::new(panel::select(names).unwrap(), 1)
+/// One oracle of each kind; built once, and what the honest ones answered is kept from test to test.
+fn gate() -> &'static Gate {
+    static GATE: OnceLock<Gate> = OnceLock::new();
+    GATE.get_or_init(|| {
+        let names = "closed-form,ode/linear/tsit45,ode/nonlinear/tsit45,taylor,asymptotic/paper";
+        Gate::new(panel::select(names).unwrap(), 1)
+    })
 }
 
 /// What an error of `eta`, `omega` or `a` in the closed form may be at the most without being seen, relative.
@@ -62,7 +67,7 @@ fn the_finest_errors_of_the_parameters_are_seen() {
     let mut faults = catalogue(gate.oracles());
     faults.retain(|fault| fault.oracle == "closed-form" && fault.name.contains("is off"));
     faults.retain(|fault| ["eta", "omega", "a "].iter().any(|name| fault.name.starts_with(name)));
-    let rows = floor::table(&gate, &faults, || ()).unwrap();
+    let rows = floor::table(gate, &faults, || ()).unwrap();
     assert_eq!(rows.len(), 4);
     for row in rows {
         assert!(matches!(row.smallest, Smallest::Amount(size) if size <= FINEST), "{row:?}");

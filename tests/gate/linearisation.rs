@@ -2,8 +2,9 @@
 
 use chattercheck::{
     gate::{
+        calibration::Calibration,
         compare::{Agreement, Slack, compare},
-        judge::{Calibration, Judges},
+        judge::Judges,
         tolerance,
     },
     measure::{

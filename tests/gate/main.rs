@@ -2,12 +2,16 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 mod agreement;
+mod audit;
+mod audit_command;
+mod calibration;
 mod conditioning;
 mod detection_floor;
 mod faults;
 mod judge;
 mod linearisation;
 mod reach;
+mod shrink;
 
 #[path = "../effort/mod.rs"]
 mod effort;

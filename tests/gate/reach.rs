@@ -190,7 +190,7 @@ fn the_same_seed_gives_the_same_cases_and_another_seed_others() {
 
 #[test]
 fn partitions_are_disjoint_and_complete() {
-    let part = |k, n| run::cases(&run::Selection { cases: 30, seed: 3, partition: (k, n) });
+    let part = |k, n| run::cases(&run::Selection { cases: 30, seed: 3, partition: (k, n) }, stepper().as_ref());
     let whole = part(1, 1);
     let mut parts: Vec<Named> = (1..=3).flat_map(|k| part(k, 3)).collect();
     assert_eq!(parts.len(), whole.len());

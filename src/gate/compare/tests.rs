@@ -251,3 +251,21 @@ fn the_end_of_the_time_is_half_a_period_unless_it_is_given() {
     let half = Case::from_epsilon(0.5, 2.0, 0.5).map(|case| horizon(&case));
     assert_eq!(half, Ok(std::f64::consts::FRAC_PI_2));
 }
+
+/// Values of opposite sign differ by their sum, not by the difference of their sizes; at the very least where the sizes are equal.
+#[test]
+fn a_sign_is_a_difference() {
+    let first = observed(1.0 / 64.0);
+    let mut turned = first.clone();
+    turned.history.impacts[1].velocity = 0.25;
+    let Agreement::Disagree(found) = compared(&first, &turned).agreement else { panic!("a turned velocity agrees") };
+    assert_eq!((found.observable, found.figure.impact, found.figure.difference), (Observable::Velocity, 2, 2.0));
+    let mut before = first.clone();
+    before.history.impacts[0].time = -1.0;
+    let Agreement::Disagree(found) = compared(&first, &before).agreement else { panic!("a time before zero agrees") };
+    assert_eq!((found.observable, found.figure.impact, found.figure.difference), (Observable::ImpactTime, 1, 2.0));
+    let mut negative = first.clone();
+    negative.chattering_time = Some(Estimate { value: -2.0, uncertainty: 1.0 / 64.0 });
+    let Agreement::Disagree(found) = compared(&first, &negative).agreement else { panic!("a negative time agrees") };
+    assert_eq!((found.observable, found.figure.difference), (Observable::ChatteringTime, 4.0));
+}

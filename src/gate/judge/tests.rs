@@ -1,7 +1,7 @@
-//! How claims are counted, and which cases are asked.
+//! Which cases are asked, and what is put beside what.
 
 use super::*;
-use crate::panel;
+use crate::{gate::examine::examine_and_judge, panel};
 
 fn stepper() -> Box<dyn Oracle> {
     panel::default().swap_remove(0)
@@ -9,82 +9,6 @@ fn stepper() -> Box<dyn Oracle> {
 
 fn case() -> Case {
     Case::from_epsilon(0.02, 2.0, 0.9).unwrap_or_else(|invalid| panic!("{invalid}"))
-}
-
-/// The figures after these claims, errors and widths of the enclosure.
-fn figures(of: &[(f64, f64, f64)]) -> ClaimOverError {
-    let mut calibration = Calibration::default();
-    for (claim, error, unsure) in of {
-        calibration.add(Observable::Interval, *claim, *error, *unsure);
-    }
-    calibration.figures()[&Observable::Interval]
-}
-
-/// A class is the sixteenth part of a factor of ten, and is named by its middle.
-fn middle(ratio: f64) -> f64 {
-    10f64.powf(((16.0 * ratio.log10()).floor() + 0.5) / 16.0)
-}
-
-#[test]
-fn a_claim_is_counted_in_multiples_of_the_error_that_the_enclosure_can_tell() {
-    for (claim, error, unsure, ratio) in [
-        (6.0, 2.0, 0.0, 3.0),
-        (1.0, 2.0, 0.0, 0.5),
-        (6.0, 2.0, 8.0, 1.5), // half of 8 is more than 2
-        (6.0, 2.0, 3.0, 3.0),
-        (500.0, 1.0, 0.0, 500.0),
-        (6.0, 0.0, 0.0, 1e30),
-    ] {
-        let found = figures(&[(claim, error, unsure)]);
-        assert_eq!((found.numbers, found.smallest), (1, ratio), "{claim} {error} {unsure}");
-        assert!((found.median / middle(ratio) - 1.0).abs() < 1e-12, "{} for {ratio}", found.median);
-        assert!((found.median / ratio).log10().abs() <= 0.5 / 16.0 + 1e-12);
-    }
-    // What claims nothing, or is not a number, is the smallest of all, and of no class that has a size.
-    for claim in [0.0, f64::NAN] {
-        let found = figures(&[(claim, 1.0, 0.0), (2.0, 1.0, 0.0), (2.0, 1.0, 0.0)]);
-        assert_eq!((found.numbers, found.smallest), (3, 0.0), "{claim}");
-        assert!((found.median / middle(2.0) - 1.0).abs() < 1e-12);
-        assert_eq!(figures(&[(claim, 1.0, 0.0)]).median, 0.0);
-    }
-}
-
-/// Of an even number the lower of the two in the middle.
-#[test]
-fn the_median_has_half_of_the_numbers_below_it() {
-    for (claims, median) in [
-        (&[1.0, 10.0, 100.0][..], 10.0),
-        (&[1.0, 10.0, 100.0, 1000.0], 10.0),
-        (&[1.0, 1.0, 1.0, 100.0], 1.0),
-        (&[5.0], 5.0),
-    ] {
-        let of: Vec<_> = claims.iter().map(|claim| (1.001 * claim, 1.0, 0.0)).collect();
-        let found = figures(&of);
-        assert!((found.median / middle(1.001 * median) - 1.0).abs() < 1e-12, "{claims:?}: {found:?}");
-        assert_eq!(
-            (found.numbers, found.smallest),
-            (claims.len(), 1.001 * claims.iter().copied().fold(f64::INFINITY, f64::min))
-        );
-    }
-}
-
-#[test]
-fn the_claims_of_several_cases_are_added_up() {
-    let of = |claims: &[f64]| {
-        let mut calibration = Calibration::default();
-        claims.iter().for_each(|claim| calibration.add(Observable::Velocity, *claim, 1.0, 0.0));
-        calibration
-    };
-    let mut sum = of(&[2.0, 30.0]);
-    sum.add_all(of(&[1.5, 2.0, 400.0]));
-    assert_eq!(sum.figures(), of(&[2.0, 30.0, 1.5, 2.0, 400.0]).figures());
-    assert_eq!((sum.figures()[&Observable::Velocity].numbers, sum.figures()[&Observable::Velocity].smallest), (5, 1.5));
-    let mut sum = of(&[1.5]);
-    sum.add_all(of(&[2.0]));
-    assert_eq!(sum.figures()[&Observable::Velocity].smallest, 1.5);
-    let mut none = Calibration::default();
-    none.add_all(of(&[1.5, 2.0]));
-    assert_eq!(none, of(&[1.5, 2.0]));
 }
 
 #[test]
@@ -164,8 +88,8 @@ fn a_case_in_which_something_is_wrong_is_judged_unasked() {
     let oracle = stepper();
     let oracle = oracle.as_ref();
     let judges = Judges { oracles: vec![oracle], every: 1 };
-    assert_eq!(judges.examine(&[oracle], &case(), true).judgements.len(), 1);
-    assert_eq!(judges.examine(&[oracle], &case(), false).judgements.len(), 0);
+    assert_eq!(examine_and_judge(&[oracle], &judges, &case(), true).judgements.len(), 1);
+    assert_eq!(examine_and_judge(&[oracle], &judges, &case(), false).judgements.len(), 0);
     struct Late;
     impl Oracle for Late {
         fn name(&self) -> &str {
@@ -180,5 +104,5 @@ fn a_case_in_which_something_is_wrong_is_judged_unasked() {
             Ok(history)
         }
     }
-    assert_eq!(judges.examine(&[oracle, &Late], &case(), false).judgements.len(), 2);
+    assert_eq!(examine_and_judge(&[oracle, &Late], &judges, &case(), false).judgements.len(), 2);
 }

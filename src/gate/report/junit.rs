@@ -22,7 +22,8 @@ pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::Se
     let mut status = TestCaseStatus::success();
     if !report.shortfalls.is_empty() {
         status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-        status.set_message(report.shortfalls.join("\n"));
+        let said: Vec<String> = report.shortfalls.iter().map(ToString::to_string).collect();
+        status.set_message(said.join("\n"));
     }
     whole.add_test_case(TestCase::new("shortfalls", status));
     xml.add_test_suite(whole);

@@ -1,0 +1,72 @@
+//! What an examination found wrong.
+
+use serde::{Deserialize, Serialize};
+
+use crate::gate::{
+    compare::Disagreement,
+    laws::{Breach, Law},
+};
+
+/// One thing that is wrong with a case: what a red gate has to show.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Finding {
+    /// Two oracles disagree.
+    Pair {
+        /// Their names.
+        oracles: [String; 2],
+        /// On what.
+        disagreement: Disagreement,
+    },
+    /// An oracle breaks a law.
+    Law {
+        /// Its name.
+        oracle: String,
+        /// Which, and where.
+        breach: Breach,
+    },
+    /// An oracle is further from a proven enclosure than it claims.
+    Refuted {
+        /// Its name.
+        oracle: String,
+        /// The name of the judge.
+        judge: String,
+        /// On what; the first of the two values is the judge's.
+        disagreement: Disagreement,
+    },
+}
+
+impl Finding {
+    /// The names of the oracles that it is about.
+    pub fn oracles(&self) -> Vec<&str> {
+        match self {
+            Self::Pair { oracles, .. } => oracles.iter().map(String::as_str).collect(),
+            Self::Law { oracle, .. } | Self::Refuted { oracle, .. } => vec![oracle],
+        }
+    }
+
+    /// The first impact that it shows at.
+    pub fn impact(&self) -> usize {
+        match self {
+            Self::Pair { disagreement, .. } | Self::Refuted { disagreement, .. } => disagreement.figure.impact,
+            Self::Law { breach, .. } => breach.impact,
+        }
+    }
+
+    /// Whether it is that an oracle breaks this law.
+    pub fn breaks(&self, law: Law) -> bool {
+        matches!(self, Self::Law { breach, .. } if breach.law == law)
+    }
+
+    /// Whether another finding is of the same oracles and kind, so that a smaller case with it shows the same problem.
+    pub fn resembles(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Pair { oracles: mine, .. }, Self::Pair { oracles: theirs, .. }) => mine == theirs,
+            (Self::Law { oracle: mine, breach: one }, Self::Law { oracle: theirs, breach: two }) => {
+                mine == theirs && one.law == two.law
+            }
+            (Self::Refuted { oracle: mine, .. }, Self::Refuted { oracle: theirs, .. }) => mine == theirs,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! What a run exercised and found, counted case by case.
+
+use std::collections::BTreeMap;
+
+use contract::Ending;
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    cases::generate::{Generator, Named},
+    gate::{
+        calibration::{Calibration, ClaimOverError},
+        compare::Agreement,
+        counting::{WorstFigure, add_counts, keep_worst, smaller, wider},
+        examine::{Examination, Pairing},
+        expected::Met,
+        identity::Identity,
+        pair::Pair,
+    },
+    measure::observables::Observable,
+};
+
+/// What is gathered case by case.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    pub(super) reach: Reach,
+    pub(super) declines: BTreeMap<String, BTreeMap<String, usize>>,
+    pub(super) answered: BTreeMap<String, usize>,
+    pub(super) pairs: BTreeMap<(usize, usize), Pair>,
+    pub(super) ratio_law: BTreeMap<String, WorstFigure>,
+    pub(super) judged: usize,
+    pub(super) to_judge: usize,
+    pub(super) claims: BTreeMap<String, Calibration>,
+    pub(super) examined: Identity,
+    pub(super) known: BTreeMap<usize, Met>,
+}
+
+/// What a run exercised.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Reach {
+    /// How many cases.
+    pub cases: usize,
+    /// Of them, from each generator.
+    pub by_generator: BTreeMap<Generator, usize>,
+    /// Histories of all oracles, by how they ended.
+    pub endings: BTreeMap<String, usize>,
+    /// Impacts in the histories of all oracles.
+    pub impacts: usize,
+    /// The shortest interval that two oracles agreed on.
+    pub deepest_interval: Option<f64>,
+    /// The smallest and largest of each parameter.
+    pub epsilon: Option<(f64, f64)>,
+    /// See `epsilon`.
+    pub omega: Option<(f64, f64)>,
+    /// See `epsilon`.
+    pub eta: Option<(f64, f64)>,
+}
+
+/// What the judge found.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Judged {
+    /// How many cases it was to be asked.
+    pub asked: usize,
+    /// Of how many it judged every history; also of those in which something was wrong.
+    pub cases: usize,
+    /// For each oracle and observable, its claims in multiples of its true errors.
+    pub claims: BTreeMap<String, BTreeMap<Observable, ClaimOverError>>,
+}
+
+impl Tally {
+    /// An empty tally of a run in which so many cases are to be judged.
+    pub fn expecting(to_judge: usize) -> Self {
+        Self { to_judge, ..Self::default() }
+    }
+
+    /// The tally of one case.
+    pub fn of(named: &Named, examination: &Examination) -> Self {
+        let mut tally = Self { examined: Identity::of(named), ..Self::default() };
+        let case = &named.case;
+        let reach = &mut tally.reach;
+        reach.cases = 1;
+        reach.by_generator.insert(named.generator, 1);
+        reach.epsilon = Some((case.epsilon(), case.epsilon()));
+        reach.omega = Some((case.omega(), case.omega()));
+        reach.eta = Some((case.eta(), case.eta()));
+        for answer in &examination.answers {
+            let Some(observed) = answer.observed() else { continue };
+            *tally.answered.entry(answer.oracle.clone()).or_default() += 1;
+            *reach.endings.entry(ending_name(observed.history.ending)).or_default() += 1;
+            reach.impacts += observed.history.impacts.len();
+        }
+        for (oracle, decline) in examination.declines() {
+            *tally.declines.entry(oracle.to_owned()).or_default().entry(decline.reason().to_owned()).or_default() += 1;
+        }
+        for (answer, checked) in examination.answers.iter().zip(&examination.checked) {
+            if let Some(figure) = checked.ratio {
+                tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
+            }
+        }
+        // A case is judged when every history that an oracle gave is.
+        let histories = examination.answers.iter().filter(|answer| answer.observed().is_some()).count();
+        tally.judged = usize::from(histories > 0 && examination.judgements.len() == histories);
+        for judgement in &examination.judgements {
+            if let Some(answer) = examination.answers.get(judgement.place) {
+                tally.claims.insert(answer.oracle.clone(), judgement.calibration.clone());
+            }
+        }
+        for &(entry, difference) in &examination.known {
+            tally.known.entry(entry).or_default().add(Met { cases: 1, largest: difference });
+        }
+        for (i, j, pairing) in &examination.pairs {
+            let interval = |place: usize, n: usize| {
+                let impacts = &examination.answers.get(place)?.observed()?.history.impacts;
+                Some(impacts.get(n.checked_sub(1)?)?.interval)
+            };
+            let pair = tally.pairs.entry((*i, *j)).or_default();
+            match pairing {
+                Pairing::Absent => pair.absent = 1,
+                Pairing::Incomparable(why) => {
+                    pair.incomparable.insert((*why).to_owned(), 1);
+                }
+                Pairing::Compared(comparison) => {
+                    pair.add_comparison(named, comparison);
+                    let deepest = interval(*i, comparison.impacts);
+                    if comparison.agreement == Agreement::Agree && comparison.vacuous == 0 {
+                        tally.reach.deepest_interval = smaller(tally.reach.deepest_interval, deepest);
+                    }
+                }
+            }
+        }
+        tally
+    }
+
+    /// Of how many cases every history was judged.
+    pub fn judged(&self) -> usize {
+        self.judged
+    }
+
+    /// Adds the tally of a later case.
+    pub fn add(&mut self, other: Self) {
+        let (mine, theirs) = (&mut self.reach, other.reach);
+        mine.cases += theirs.cases;
+        mine.impacts += theirs.impacts;
+        add_counts(&mut mine.by_generator, theirs.by_generator);
+        add_counts(&mut mine.endings, theirs.endings);
+        mine.deepest_interval = smaller(mine.deepest_interval, theirs.deepest_interval);
+        mine.epsilon = wider(mine.epsilon, theirs.epsilon);
+        mine.omega = wider(mine.omega, theirs.omega);
+        mine.eta = wider(mine.eta, theirs.eta);
+        add_counts(&mut self.answered, other.answered);
+        for (oracle, reasons) in other.declines {
+            add_counts(self.declines.entry(oracle).or_default(), reasons);
+        }
+        for (oracle, worst) in other.ratio_law {
+            keep_worst(&mut self.ratio_law, oracle, worst);
+        }
+        self.judged += other.judged;
+        self.to_judge += other.to_judge;
+        for (oracle, calibration) in other.claims {
+            self.claims.entry(oracle).or_default().add_all(calibration);
+        }
+        self.examined.add(other.examined);
+        for (entry, met) in other.known {
+            self.known.entry(entry).or_default().add(met);
+        }
+        for (places, pair) in other.pairs {
+            self.pairs.entry(places).or_default().add(pair);
+        }
+    }
+}
+
+/// A short name for an ending, for counting.
+fn ending_name(ending: Ending) -> String {
+    match ending {
+        Ending::NeverRocks => "never-rocks",
+        Ending::AtRest => "at-rest",
+        Ending::Incomplete => "incomplete",
+        Ending::Overturned => "overturned",
+        Ending::LimitReached(_) => "limit-reached",
+        Ending::Lost(_) => "lost",
+    }
+    .to_owned()
+}
