@@ -1,6 +1,6 @@
 //! The tables under `data/record` that can be made again in a moment are what the program prints; the others are of this version of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use assert_cmd::Command;
 use chattercheck::{faults::catalogue::catalogue, gate::run, panel};
@@ -44,4 +44,20 @@ fn the_detection_floor_has_every_planted_fault_and_none_escapes() {
         mistakes.iter().map(|mistake| (mistake.name, mistake.oracle.as_str())).collect();
     assert_eq!(measured, planted, "run `chattercheck detection-floor --format markdown` again");
     assert!(!kept.contains("ESCAPES"));
+}
+
+#[test]
+fn the_exponents_in_the_guide_are_those_measured() {
+    let guide = read("src/guide/asymptotics.md");
+    let shown: Vec<Vec<&str>> = rows(&guide).into_iter().skip(2).collect();
+    assert!(shown.len() >= 7);
+    let csv = std::fs::File::open(super::pages::root().join("data/record/diagnose/exponents.csv")).unwrap();
+    let measured: Vec<BTreeMap<String, f64>> =
+        csv::Reader::from_reader(csv).deserialize().map(Result::unwrap).collect();
+    for row in shown {
+        let found = measured.iter().find(|found| found["eta"] == row[0].parse::<f64>().unwrap()).unwrap();
+        let coefficients = format!("{:.4} ± {:.4}", found["coefficients"], found["coefficients_uncertainty"]);
+        let expected = [format!("{:.6}", found["formula"]), format!("{:.6}", found["stepping"]), coefficients];
+        assert_eq!(row[1..], expected, "eta = {}", row[0]);
+    }
 }
