@@ -1,5 +1,6 @@
 //! Each coefficient of the series by itself: an error of one hides in the sum of all, and a claim of what is left out does not cover it.
 
+use crate::effort::pick;
 use asymptotic::{Asymptotic, Expansion, Order};
 use contract::{Case, Oracle};
 
@@ -48,21 +49,28 @@ fn high_orders_are_right_to_what_they_claim() {
         checked += 1;
         fine += usize::from(claim < 2e-14 * known.abs());
     };
+    let each = pick("one of so many references", 3, 1);
     for order in [24, 64] {
         let oracle = Asymptotic::new().with_order(Order::Terms(order)).unwrap();
-        for row in rows(&read("linear_chattering_times.csv")) {
-            let Ok(history) = oracle.history(&Case::from_epsilon(row[0], row[1], row[2]).unwrap()) else { continue };
+        for row in rows(&read("linear_chattering_times.csv")).into_iter().step_by(each) {
+            let case = Case::from_epsilon(row[0], row[1], row[2]).unwrap().with_max_impacts(1).unwrap();
+            let Ok(history) = oracle.history(&case) else { continue };
             let time = history.chattering_time.unwrap();
             check(time.value, row[3], time.uncertainty, &format!("order {order}, tau_ch of {row:?}"));
         }
-        for row in rows(&read("linear_impacts.csv")).into_iter().filter(|row| row[3] <= 60.0) {
-            let Ok(history) = oracle.history(&Case::from_epsilon(row[0], row[1], row[2]).unwrap()) else { continue };
-            let impact = history.impacts[row[3] as usize - 1];
-            let (claim, what) = (impact.uncertainty, format!("order {order}, {row:?}"));
-            check(impact.time, row[4], claim.time, &what);
-            check(impact.interval, row[5], claim.interval * row[5], &what);
-            check(impact.velocity, row[6], claim.velocity * row[6].abs(), &what);
+        // The rows of a case follow one another.
+        let impacts: Vec<_> = rows(&read("linear_impacts.csv")).into_iter().filter(|row| row[3] <= 60.0).collect();
+        for of_case in impacts.chunk_by(|one, other| one[..3] == other[..3]).step_by(each) {
+            let case = Case::from_epsilon(of_case[0][0], of_case[0][1], of_case[0][2]).unwrap();
+            let Ok(history) = oracle.history(&case) else { continue };
+            for row in of_case {
+                let impact = history.impacts[row[3] as usize - 1];
+                let (claim, what) = (impact.uncertainty, format!("order {order}, {row:?}"));
+                check(impact.time, row[4], claim.time, &what);
+                check(impact.interval, row[5], claim.interval * row[5], &what);
+                check(impact.velocity, row[6], claim.velocity * row[6].abs(), &what);
+            }
         }
     }
-    assert!(checked > 300 && fine > 100, "{checked} numbers, {fine} of them claimed to 2e-14");
+    assert!(checked > 300 / each && fine > 100 / each, "{checked} numbers, {fine} of them claimed to 2e-14");
 }
