@@ -20,4 +20,5 @@ pub mod guide;
 pub mod measure;
 pub mod motion;
 pub mod panel;
+pub mod responders;
 pub mod studies;

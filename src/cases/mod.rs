@@ -3,4 +3,5 @@
 pub mod case_file;
 pub mod generate;
 pub mod hex_float;
+pub mod shaking;
 pub mod toml_error;

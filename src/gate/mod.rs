@@ -15,6 +15,7 @@ pub mod laws;
 pub mod pair;
 pub mod replay;
 pub mod report;
+pub mod responses;
 pub mod roles;
 pub mod run;
 pub mod shortfall;

@@ -95,7 +95,7 @@ fn smaller(case: &Case, finding: &Finding) -> Vec<Case> {
 }
 
 /// A value rounded to fewer and fewer digits than it has, the fewest first.
-fn fewer_digits(value: f64) -> impl Iterator<Item = f64> {
+pub(super) fn fewer_digits(value: f64) -> impl Iterator<Item = f64> {
     let digits = format!("{value:e}").bytes().take_while(|&byte| byte != b'e').filter(u8::is_ascii_digit).count();
     (1..digits).filter_map(move |kept| format!("{value:.*e}", kept - 1).parse().ok())
 }

@@ -10,7 +10,9 @@ mod detection_floor;
 mod faults;
 mod judge;
 mod linearisation;
+mod planted_responses;
 mod reach;
+mod responses;
 mod shrink;
 
 #[path = "../effort/mod.rs"]

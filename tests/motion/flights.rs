@@ -192,6 +192,38 @@ proptest! {
     }
 }
 
+/// A flight that is certain to overturn goes on falling, by the equation.
+#[test]
+fn a_block_that_overturns_is_followed_on() {
+    let case = Case::from_amplitude(3.0, 1.0, 0.9).unwrap();
+    let case = case.with_slenderness(Slenderness::new(ALPHA, Normalisation::Threshold).unwrap());
+    for oracle in oracles() {
+        let solver = oracle.flights(&case).unwrap();
+        for departure in
+            [from_rest(0.0), Departure { ground: Ground::Still, rotation: 0.9, velocity: 0.4, ..from_rest(0.0) }]
+        {
+            let Arrival::Overturned { after } = solver.fly(&departure, 50.0) else {
+                panic!("{} comes back", oracle.name())
+            };
+            let mut last = solver.motion(&departure, after).0;
+            for k in 1..=8 {
+                let s = after + 0.1 * f64::from(k);
+                let rotation = solver.motion(&departure, s).0;
+                assert!(rotation > last, "{}: {rotation} after {last}", oracle.name());
+                let d = 1e-4;
+                let (before, later) = (solver.motion(&departure, s - d), solver.motion(&departure, s + d));
+                let expected = acceleration(oracle.model(), &case, &departure, departure.time + s, rotation);
+                assert!(
+                    ((later.1 - before.1) / (2.0 * d) - expected).abs() < 1e-5 * (1.0 + expected),
+                    "{}",
+                    oracle.name()
+                );
+                last = rotation;
+            }
+        }
+    }
+}
+
 /// Housner (1963), for the linear block on still ground: from peak to peak `1 - (1 - u₁)² = η² (1 - (1 - u₀)²)`, and the time from a peak to the base is
 /// `acosh(1/(1 - u))`. Eq. 2 tends to it as the block gets slender.
 #[test]

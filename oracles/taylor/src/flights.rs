@@ -37,7 +37,16 @@ impl FlightSolver for Flights {
     }
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
-        self.course(departure, s).state
+        // It is certain that the block overturns before it has: from there on it is followed piece by piece.
+        let (mut from, mut left) = (*departure, s);
+        loop {
+            let Course { landing, elapsed, state: (rotation, velocity) } = self.course(&from, left);
+            if !matches!(landing, Landing::Overturned) || elapsed >= left {
+                return (rotation, velocity);
+            }
+            left -= elapsed;
+            from = Departure { time: from.time + elapsed, rotation, velocity, ..from };
+        }
     }
 
     fn rests(&self, departure: &Departure) -> bool {

@@ -4,6 +4,7 @@
 mod edge;
 mod list;
 mod random;
+mod responses;
 mod spaced;
 
 use std::fmt;
@@ -12,6 +13,7 @@ use contract::{Case, Oracle};
 use serde::{Deserialize, Serialize};
 
 pub use list::{Listed, LoadError, read as read_list, shipped};
+pub use responses::shakings;
 
 /// The generators, in the order in which their cases run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

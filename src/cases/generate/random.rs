@@ -12,10 +12,7 @@ use crate::measure::critical;
 
 /// The name and case of `count` random cases made from `seed`.
 pub(super) fn cases(seed: u64, count: usize) -> Vec<(String, Case)> {
-    let mut bytes = [0; 32];
-    bytes.iter_mut().zip(seed.to_le_bytes()).for_each(|(byte, of_seed)| *byte = of_seed);
-    let config = Config { failure_persistence: None, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
+    let mut runner = runner(seed);
     let (usual, wide) = (usual(), wide());
     let mut next = |n: usize| {
         let made = if n.is_multiple_of(WIDE) {
@@ -26,6 +23,14 @@ pub(super) fn cases(seed: u64, count: usize) -> Vec<(String, Case)> {
         made.ok()
     };
     (1..=count).filter_map(|n| Some((n.to_string(), next(n)?))).collect()
+}
+
+/// A source of random numbers that is a function of the seed alone.
+pub(super) fn runner(seed: u64) -> TestRunner {
+    let mut bytes = [0; 32];
+    bytes.iter_mut().zip(seed.to_le_bytes()).for_each(|(byte, of_seed)| *byte = of_seed);
+    let config = Config { failure_persistence: None, ..Config::default() };
+    TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
 }
 
 /// One of so many cases is from far outside the range of use, where a fault that only shows there has nowhere else to be seen.
@@ -66,6 +71,6 @@ fn wide() -> impl Strategy<Value = Case> {
 }
 
 /// Uniform in the logarithm.
-fn logarithmic(low: f64, high: f64) -> impl Strategy<Value = f64> {
+pub(super) fn logarithmic(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }

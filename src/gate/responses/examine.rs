@@ -1,0 +1,163 @@
+//! One response through all methods.
+
+use std::fmt;
+
+use contract::Model;
+
+use super::{
+    compare::{self, Difference},
+    laws::{self, Law},
+    reference::Reference,
+    report::Reach,
+    whole::{Responder, Whole},
+};
+use crate::cases::shaking::Shaking;
+
+/// At how many times the table of a response is compared.
+const ROWS: usize = 48;
+
+/// What came out for one response.
+#[derive(Debug, Clone, Default)]
+pub struct Examination {
+    /// What was wrong.
+    pub findings: Vec<Finding>,
+    /// Of each method, by name: what was compared, or that it declined.
+    pub asked: Vec<(String, Asked)>,
+    /// What the response is an example of, by the plain follower.
+    pub reach: Vec<Reach>,
+    /// Whether the outcome of one of the models is too close to call from some time on.
+    pub too_close: bool,
+}
+
+/// What was compared of one method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asked {
+    /// It declined.
+    Declined,
+    /// So many bouts, impacts and rows.
+    Answered {
+        /// How many bouts it has.
+        bouts: usize,
+        /// How many of its impacts were compared at the most.
+        impacts: usize,
+        /// How many rows.
+        rows: usize,
+        /// The largest share of what is allowed that the time of an impact used.
+        used: f64,
+    },
+}
+
+/// Something wrong with the response of one method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// The method.
+    pub method: String,
+    /// The equation of motion that it solves.
+    pub model: Model,
+    /// What is wrong.
+    pub wrong: Wrong,
+    /// Other methods of which the same is wrong at the same place, and which so agree with this one.
+    pub agreeing: Vec<String>,
+}
+
+/// What is wrong with a response.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Wrong {
+    /// A law is broken, at this time.
+    Breaks(Law, f64),
+    /// It is not what it has to be.
+    Differs(Difference),
+}
+
+impl Wrong {
+    /// The same kind of mistake, whatever the numbers.
+    pub fn resembles(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Breaks(one, _), Self::Breaks(other, _)) => one == other,
+            (Self::Differs(one), Self::Differs(other)) => one.what.resembles(other.what),
+            _ => false,
+        }
+    }
+
+    /// When it shows.
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Breaks(_, time) => *time,
+            Self::Differs(difference) => difference.time,
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.method)?;
+        match &self.wrong {
+            Wrong::Breaks(law, time) => write!(f, "{} (τ = {time:.9})", law.broken())?,
+            Wrong::Differs(difference) => difference.fmt(f)?,
+        }
+        if self.agreeing.is_empty() {
+            return Ok(());
+        }
+        let suspect = match &self.wrong {
+            Wrong::Breaks(..) => "what they share",
+            Wrong::Differs(_) => "what they share, or the plain follower,",
+        };
+        write!(f, "; {} the same: {suspect} is suspect", self.agreeing.join(" and "))
+    }
+}
+
+/// The response to `shaking` by every method, examined.
+pub fn examine(responders: &[&dyn Responder], shaking: &Shaking) -> Examination {
+    let mut examination = Examination::default();
+    for model in [Model::Linear, Model::Nonlinear] {
+        let of_model: Vec<&&dyn Responder> = responders.iter().filter(|responder| responder.model() == model).collect();
+        if of_model.is_empty() {
+            continue;
+        }
+        let Some(reference) = Reference::new(shaking, model) else { continue };
+        examination.reach.extend(Reach::of(shaking, &reference));
+        examination.too_close |= reference.until.is_finite();
+        let mut findings = Vec::new();
+        for responder in of_model {
+            let name = responder.name().to_owned();
+            let Some(whole) = responder.respond(shaking, ROWS) else {
+                examination.asked.push((name, Asked::Declined));
+                continue;
+            };
+            let (wrong, used) = wrong(&whole, &reference, responder.accuracy());
+            examination.asked.push((name.clone(), Asked::of(&whole, &reference, used)));
+            findings.extend(wrong.map(|wrong| Finding { method: name, model, wrong, agreeing: Vec::new() }));
+        }
+        examination.findings.extend(with_agreeing(&findings));
+    }
+    examination
+}
+
+/// What is wrong with a response, if anything, and the share of the allowance that it used.
+fn wrong(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Wrong>, f64) {
+    let broken = laws::broken(whole, &reference.nominal.problem).map(|(law, time)| Wrong::Breaks(law, time));
+    let (difference, used) = compare::first_difference(whole, reference, accuracy);
+    (broken.or(difference.map(Wrong::Differs)), used)
+}
+
+/// Each finding with the names of the others at the same place.
+fn with_agreeing(findings: &[Finding]) -> Vec<Finding> {
+    let same = |one: &Finding, other: &Finding| match (&one.wrong, &other.wrong) {
+        (Wrong::Differs(one), Wrong::Differs(other)) => one.what == other.what && one.time == other.time,
+        (Wrong::Breaks(..), Wrong::Breaks(..)) => one.wrong == other.wrong,
+        _ => false,
+    };
+    let agreeing = |finding: &Finding| {
+        let others = findings.iter().filter(|other| other.method != finding.method && same(finding, other));
+        others.map(|other| other.method.clone()).collect()
+    };
+    findings.iter().map(|finding| Finding { agreeing: agreeing(finding), ..finding.clone() }).collect()
+}
+
+impl Asked {
+    fn of(whole: &Whole, reference: &Reference, used: f64) -> Self {
+        let known = whole.bouts.iter().zip(&reference.known);
+        let impacts = known.map(|(bout, known)| bout.impacts.len().min(known.impacts.len())).sum();
+        Self::Answered { bouts: whole.bouts.len(), impacts, rows: whole.rows.len(), used }
+    }
+}

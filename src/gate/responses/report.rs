@@ -1,0 +1,306 @@
+//! What was found in whole responses, as data and as text.
+
+use std::{collections::BTreeMap, fmt::Write};
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    examine::{Asked, Examination},
+    reference::Reference,
+    run::Failure,
+    whole::Outcome,
+};
+use crate::cases::shaking::Shaking;
+
+/// At most this share of the responses may be too close to call, from some time on.
+const MOST_TOO_CLOSE: f64 = 0.25;
+/// A method may decline this share of the responses that its model can be asked.
+const MOST_DECLINED: f64 = 0.05;
+/// Some impact has to use this share of what is allowed: more would let mistakes pass.
+const LEAST_USED: f64 = 1e-3;
+/// A run of at least so many responses has to reach everything.
+const WHOLE_RUN: usize = 200;
+
+/// What a response may be an example of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reach {
+    /// The ground never reaches the threshold.
+    NeverRocks,
+    /// The block comes to rest while the ground shakes.
+    RestsWhileShaken,
+    /// It comes to rest after the shaking.
+    RestsAfterwards,
+    /// It overturns while the ground shakes.
+    OverturnsWhileShaken,
+    /// It overturns after the shaking.
+    OverturnsAfterwards,
+    /// The response ends while the block rocks.
+    EndsInTheAir,
+    /// The shaking ends while the block rocks.
+    ShakingEndsInTheAir,
+    /// The block rocks more than once.
+    SeveralBouts,
+    /// The ground starts above the threshold.
+    StartsAboveTheThreshold,
+    /// The shaking ends within its first half period.
+    ShortPulse,
+    /// A restitution below a half.
+    LowRestitution,
+    /// One above 0.97.
+    HighRestitution,
+}
+
+impl Reach {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::NeverRocks,
+        Self::RestsWhileShaken,
+        Self::RestsAfterwards,
+        Self::OverturnsWhileShaken,
+        Self::OverturnsAfterwards,
+        Self::EndsInTheAir,
+        Self::ShakingEndsInTheAir,
+        Self::SeveralBouts,
+        Self::StartsAboveTheThreshold,
+        Self::ShortPulse,
+        Self::LowRestitution,
+        Self::HighRestitution,
+    ];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NeverRocks => "never rocks",
+            Self::RestsWhileShaken => "rests while shaken",
+            Self::RestsAfterwards => "rests afterwards",
+            Self::OverturnsWhileShaken => "overturns while shaken",
+            Self::OverturnsAfterwards => "overturns afterwards",
+            Self::EndsInTheAir => "response ends in the air",
+            Self::ShakingEndsInTheAir => "shaking ends in the air",
+            Self::SeveralBouts => "several bouts",
+            Self::StartsAboveTheThreshold => "starts above the threshold",
+            Self::ShortPulse => "within half a period",
+            Self::LowRestitution => "eta below 0.5",
+            Self::HighRestitution => "eta above 0.97",
+        }
+    }
+
+    /// What a response is an example of, as far as it is known.
+    pub(super) fn of(shaking: &Shaking, reference: &Reference) -> Vec<Self> {
+        let lasts = shaking.lasts.unwrap_or(f64::INFINITY);
+        let known = reference.known.iter().filter(|known| known.ending.is_some()).count();
+        let bouts: Vec<_> = reference.nominal.bouts.iter().take(known).collect();
+        let any = |outcome: Outcome, after: bool| {
+            bouts.iter().any(|bout| bout.outcome == outcome && (bout.end > lasts) == after)
+        };
+        let holds = |reach: Self| match reach {
+            Self::NeverRocks => shaking.case.epsilon() <= 0.0,
+            Self::RestsWhileShaken => any(Outcome::Rest, false),
+            Self::RestsAfterwards => any(Outcome::Rest, true),
+            Self::OverturnsWhileShaken => any(Outcome::Overturned, false),
+            Self::OverturnsAfterwards => any(Outcome::Overturned, true),
+            Self::EndsInTheAir => any(Outcome::Cut, false) || any(Outcome::Cut, true),
+            Self::ShakingEndsInTheAir => bouts.iter().any(|bout| bout.begin < lasts && bout.end > lasts),
+            Self::SeveralBouts => bouts.len() > 1,
+            Self::StartsAboveTheThreshold => {
+                shaking.phase.is_some() && bouts.first().is_some_and(|bout| bout.begin == 0.0)
+            }
+            Self::ShortPulse => lasts * shaking.case.omega() < std::f64::consts::PI && !bouts.is_empty(),
+            Self::LowRestitution => shaking.case.eta() < 0.5,
+            Self::HighRestitution => shaking.case.eta() > 0.97,
+        };
+        Self::ALL.into_iter().filter(|reach| holds(*reach)).collect()
+    }
+}
+
+/// What was found in the responses of a run.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// How many responses.
+    pub responses: usize,
+    /// Of them, in how many it is too close to call what happens from some time on.
+    pub too_close: usize,
+    /// How many were examples of what; those of both models count once each.
+    pub reach: BTreeMap<Reach, usize>,
+    /// What was compared of each method.
+    pub methods: BTreeMap<String, Method>,
+    /// Those in which something was wrong.
+    pub failures: Vec<Failed>,
+    /// What is wrong with the run as a whole.
+    pub shortfalls: Vec<String>,
+}
+
+/// What was compared of one method.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Method {
+    /// How many responses it gave.
+    pub answered: usize,
+    /// How many it declined.
+    pub declined: usize,
+    /// How many bouts it gave.
+    pub bouts: usize,
+    /// How many of its impacts were compared.
+    pub impacts: usize,
+    /// How many rows of its tables.
+    pub rows: usize,
+    /// How many of its responses were wrong.
+    pub wrong: usize,
+    /// The largest share of what was allowed that the time of an impact used, where nothing was wrong.
+    pub used: f64,
+}
+
+/// A response in which something was wrong.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Failed {
+    /// Its name.
+    pub name: String,
+    /// `a`.
+    pub a: f64,
+    /// `ω`.
+    pub omega: f64,
+    /// `η`.
+    pub eta: f64,
+    /// `α`, where it has one.
+    pub alpha: Option<f64>,
+    /// The phase at `τ = 0`; none for the threshold.
+    pub phase: Option<f64>,
+    /// When the shaking ends, `τ`; none for never.
+    pub lasts: Option<f64>,
+    /// When the response ends at the latest; none for where nothing can happen any more.
+    pub until: Option<f64>,
+    /// What was wrong.
+    pub findings: Vec<String>,
+}
+
+impl Report {
+    pub(super) fn add(&mut self, examination: &Examination) {
+        self.responses += 1;
+        self.too_close += usize::from(examination.too_close);
+        for reach in &examination.reach {
+            *self.reach.entry(*reach).or_default() += 1;
+        }
+        for (name, asked) in &examination.asked {
+            let method = self.methods.entry(name.clone()).or_default();
+            match asked {
+                Asked::Declined => method.declined += 1,
+                Asked::Answered { bouts, impacts, rows, used } => {
+                    method.answered += 1;
+                    method.bouts += bouts;
+                    method.impacts += impacts;
+                    method.rows += rows;
+                    if !examination.findings.iter().any(|finding| finding.method == *name) {
+                        method.used = method.used.max(*used);
+                    }
+                }
+            }
+            method.wrong += examination.findings.iter().filter(|finding| finding.method == *name).count();
+        }
+    }
+
+    /// With the failures, and what the run as a whole fails to prove.
+    pub(super) fn concluded(mut self, failures: &[Failure]) -> Self {
+        self.failures = failures.iter().map(Failed::from).collect();
+        let all = self.responses;
+        let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
+        let mut shortfalls = Vec::new();
+        if all >= WHOLE_RUN && share(self.too_close, all) > MOST_TOO_CLOSE {
+            shortfalls.push(format!("{} of {all} responses are too close to call", self.too_close));
+        }
+        for (name, method) in &self.methods {
+            let asked = method.answered + method.declined;
+            if all >= WHOLE_RUN && share(method.declined, asked) > MOST_DECLINED {
+                shortfalls.push(format!("{name} declined {} of {asked} responses", method.declined));
+            }
+            if all >= WHOLE_RUN && method.wrong == 0 && method.used < LEAST_USED {
+                shortfalls.push(format!("{name} is allowed so much that no impact uses {LEAST_USED:.0e} of it"));
+            }
+            if all >= WHOLE_RUN && method.impacts == 0 {
+                shortfalls.push(format!("{name}: no impact of a whole response was compared"));
+            }
+        }
+        let missing = Reach::ALL.into_iter().filter(|reach| !self.reach.contains_key(reach));
+        if all >= WHOLE_RUN {
+            shortfalls.extend(missing.map(|reach| format!("no response that {}", reach.name())));
+        }
+        self.shortfalls = shortfalls;
+        self
+    }
+
+    /// Whether nothing was wrong.
+    pub fn passes(&self) -> bool {
+        self.failures.is_empty() && self.shortfalls.is_empty()
+    }
+}
+
+impl From<&Failure> for Failed {
+    fn from(failure: &Failure) -> Self {
+        let Shaking { case, phase, lasts, until } = failure.shaking;
+        Self {
+            name: failure.name.clone(),
+            a: case.amplitude(),
+            omega: case.omega(),
+            eta: case.eta(),
+            alpha: case.slenderness().map(|slenderness| slenderness.alpha()),
+            phase,
+            lasts,
+            until: Some(until).filter(|until| until.is_finite()),
+            findings: failure.findings.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+/// How many failed responses the text shows.
+const SHOWN: usize = 10;
+
+/// The report for people.
+pub fn text(report: &Report) -> String {
+    let mut out = format!(
+        "Whole responses: {}, each method against a plain follower of its own loop and integrator; {} too close to call from some time on.\n",
+        report.responses, report.too_close
+    );
+    let reach: Vec<String> = report.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name())).collect();
+    let mut line = |text: &str| {
+        out.push_str(text);
+        out.push('\n');
+    };
+    line(&format!("reached: {}", reach.join(", ")));
+    for (name, method) in &report.methods {
+        let Method { answered, declined, bouts, impacts, rows, wrong, used } = method;
+        let used = 100.0 * used;
+        line(&format!(
+            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used"
+        ));
+    }
+    for shortfall in &report.shortfalls {
+        line(&format!("SHORTFALL: {shortfall}"));
+    }
+    for failed in report.failures.iter().take(SHOWN) {
+        line(&failed.text());
+    }
+    if report.failures.len() > SHOWN {
+        line(&format!("and {} more failed responses, all in the JSON report", report.failures.len() - SHOWN));
+    }
+    out
+}
+
+impl Failed {
+    /// For people, over several lines.
+    pub fn text(&self) -> String {
+        let Self { name, a, omega, eta, alpha, phase, lasts, until, findings } = self;
+        let mut text = format!("FAILED {name}: a = {a:?}, omega = {omega:?}, eta = {eta:?}");
+        let mut optional = |name: &str, value: &Option<f64>| {
+            if let Some(value) = value {
+                let _ = write!(text, ", {name} = {value:?}");
+            }
+        };
+        optional("alpha", alpha);
+        optional("phase", phase);
+        optional("the shaking lasts", lasts);
+        optional("until", until);
+        findings.iter().for_each(|finding| {
+            let _ = write!(text, "\n  {finding}");
+        });
+        text
+    }
+}

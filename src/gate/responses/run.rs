@@ -1,0 +1,72 @@
+//! Many responses on all threads, and one report that does not depend on how many there were.
+
+use rayon::prelude::*;
+
+use super::{
+    examine::{Finding, examine},
+    report::Report,
+    whole::Responder,
+};
+use crate::cases::{generate, shaking::Shaking};
+
+/// What responses a run is made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Request {
+    /// How many.
+    pub responses: usize,
+    /// What they are made from.
+    pub seed: u64,
+    /// Which share of them to run: the `K`-th of `N`.
+    pub partition: (usize, usize),
+}
+
+impl Request {
+    /// How many responses a run has unless told otherwise.
+    pub const DEFAULT: usize = 200;
+    /// How many it may be asked for.
+    pub const MOST: usize = 1_000_000;
+}
+
+/// A response in which something was wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure {
+    /// Its name, as in `response/17`.
+    pub name: String,
+    /// What was asked.
+    pub shaking: Shaking,
+    /// What was wrong.
+    pub findings: Vec<Finding>,
+}
+
+/// The responses of a run, by name and in order.
+pub fn shakings(request: &Request) -> Vec<(String, Shaking)> {
+    let (part, parts) = request.partition;
+    let all = (1..).zip(generate::shakings(request.seed, request.responses));
+    let own = all.filter(|(number, _)| (number - 1) % parts.max(1) + 1 == part);
+    own.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
+}
+
+/// Runs them through all methods. `done` is called after each, from any thread.
+pub fn run(
+    responders: &[&dyn Responder],
+    shakings: &[(String, Shaking)],
+    done: impl Fn() + Sync,
+) -> (Report, Vec<Failure>) {
+    let examinations: Vec<_> = shakings
+        .par_iter()
+        .map(|(_, shaking)| {
+            let examination = examine(responders, shaking);
+            done();
+            examination
+        })
+        .collect();
+    let mut report = Report::default();
+    let mut failures = Vec::new();
+    for ((name, shaking), examination) in shakings.iter().zip(examinations) {
+        report.add(&examination);
+        if !examination.findings.is_empty() {
+            failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
+        }
+    }
+    (report.concluded(&failures), failures)
+}

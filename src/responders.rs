@@ -1,0 +1,184 @@
+//! The methods that follow whole responses, as the gate asks them: [`motion::response`](crate::motion::response) by the flights of one oracle each.
+
+use contract::{Arrival, Case, Decline, FlightSolver, Model, Normalisation, Oracle, Slenderness};
+
+use crate::{
+    cases::shaking::Shaking,
+    gate::responses::{Bout, Impact, Outcome, Responder, Row, State, Whole},
+    motion::response::{self, BoutEnd, Request, Response, Window},
+    panel::{self, Settings},
+};
+
+/// So slender a block obeys Eq. 4 to twelve digits: this is how a method for Eq. 2 is held against those for Eq. 4.
+const SLENDER: f64 = 1e-6;
+
+/// Whole responses by the flights of one oracle.
+pub struct Stepped {
+    /// The oracle.
+    pub oracle: Box<dyn Oracle>,
+    /// The name in reports.
+    pub name: String,
+    /// The equation of motion that it is held against.
+    pub model: Model,
+    /// See [`Responder::accuracy`].
+    pub accuracy: f64,
+    /// Whether its table is looked at as well, and how high it rocks, and where it lies in the end.
+    pub table: bool,
+}
+
+/// By the name of the oracle in the panel: the equation that its responses are held against, what its flights are worth, and whether the table of its
+/// response is looked at as well, which once for each equation is enough.
+///
+/// The method for Eq. 2 alone is asked for a block as good as slender too, so that each equation has two methods beside the general solver or more.
+const TABLE: [(&str, Model, f64, bool); 5] = [
+    ("closed-form", Model::Linear, 1e-13, true),
+    ("taylor", Model::Linear, 4e-12, false),
+    ("ode/linear/tsit45", Model::Linear, 4e-11, false),
+    ("taylor", Model::Nonlinear, 1e-13, true),
+    ("ode/nonlinear/tsit45", Model::Nonlinear, 4e-11, false),
+];
+
+/// Every method that follows whole responses.
+pub fn all() -> Vec<Stepped> {
+    let of = |(name, model, accuracy, table): (&str, Model, f64, bool)| {
+        let oracle = panel::one(name, &Settings::default(), "linear").ok()?;
+        let slender = model != oracle.model();
+        let name = if slender { format!("{name}/slender") } else { name.to_owned() };
+        Some(Stepped { oracle, name, model, accuracy, table })
+    };
+    TABLE.into_iter().filter_map(of).collect()
+}
+
+impl Stepped {
+    /// The case as the oracle is asked it.
+    fn case(&self, shaking: &Shaking) -> Option<Case> {
+        let slender = self.model == Model::Linear && self.oracle.model() == Model::Nonlinear;
+        if !slender {
+            return Some(shaking.case);
+        }
+        Some(shaking.case.with_slenderness(Slenderness::new(SLENDER, Normalisation::Threshold).ok()?))
+    }
+
+    fn whole(&self, request: &Request, rows: usize) -> Result<Whole, Decline> {
+        let oracle = self.oracle.as_ref();
+        let response = Response::new(oracle, request)?;
+        let solver = if response.bouts.is_empty() { None } else { Some(oracle.flights(&request.case)?) };
+        let bouts = response.bouts.iter().map(|of| bout(of, solver.as_deref().filter(|_| self.table))).collect();
+        let rows = if self.table && response.end > 0.0 {
+            let window = Window { from: 0.0, to: response.end, steps: rows };
+            response.samples(oracle, request, &window)?.iter().map(row).collect()
+        } else {
+            Vec::new()
+        };
+        Ok(Whole { bouts, rests: response.rests(), end: response.end, rows })
+    }
+}
+
+impl Responder for Stepped {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn model(&self) -> Model {
+        self.model
+    }
+
+    fn accuracy(&self) -> f64 {
+        self.accuracy
+    }
+
+    fn respond(&self, shaking: &Shaking, rows: usize) -> Option<Whole> {
+        let Shaking { phase, lasts, until, .. } = *shaking;
+        let request = Request::new(self.case(shaking)?, lasts, until).ok()?;
+        let request = Request { phase, lies_at: request.lies_at.filter(|_| self.table), ..request };
+        self.whole(&request, rows).ok()
+    }
+}
+
+fn bout(bout: &response::Bout, solver: Option<&dyn FlightSolver>) -> Bout {
+    let flights = bout.flights.iter();
+    let after = |n: usize| bout.flights.get(n + 1).map(|flight| flight.departure.velocity);
+    let impacts = flights.enumerate().filter_map(|(n, flight)| match flight.arrival {
+        Arrival::Impact { speed, .. } => {
+            Some(Impact { time: bout.lobe.start + flight.end, before: speed, after: after(n) })
+        }
+        _ => None,
+    });
+    let (outcome, uncertainty) = match bout.outcome {
+        BoutEnd::Complete { uncertainty } => (Outcome::Rest, uncertainty),
+        BoutEnd::VelocityThreshold | BoutEnd::ChatteringThreshold => (Outcome::Rest, 0.0),
+        BoutEnd::Overturned => (Outcome::Overturned, 0.0),
+        BoutEnd::Cut => (Outcome::Cut, 0.0),
+        BoutEnd::TooManyImpacts | BoutEnd::Lost(_) => (Outcome::GivenUp, 0.0),
+    };
+    Bout {
+        begin: bout.begin(),
+        side: bout.lobe.mirror * bout.flights.first().map_or(-1.0, |flight| flight.departure.side),
+        impacts: impacts.collect(),
+        outcome,
+        end: bout.end(),
+        uncertainty,
+        peak: solver.map(|solver| peak(&bout.flights, solver)),
+    }
+}
+
+/// Into how many parts a flight is divided to see where about it is highest.
+const PARTS: u32 = 16;
+/// By how much the estimated height of a flight may be below the largest estimate for it to be looked at.
+const LOWER: f64 = 0.03;
+
+/// The largest rotation of all flights that end with an impact, those that go on from another in the air with it.
+fn peak(flights: &[response::Flight], solver: &dyn FlightSolver) -> f64 {
+    let last = flights.iter().rposition(|flight| matches!(flight.arrival, Arrival::Impact { .. }));
+    let landed = flights.get(..last.map_or(0, |last| last + 1)).unwrap_or_default();
+    let highest_estimate = landed.iter().map(estimate).fold(0.0, f64::max);
+    let (mut highest, mut of_flight) = (0.0_f64, 0.0_f64);
+    for flight in landed {
+        let in_pieces = matches!(flight.arrival, Arrival::Aloft { .. });
+        if in_pieces || estimate(flight) >= LOWER * highest_estimate {
+            of_flight = of_flight.max(peak_of(flight, solver));
+        }
+        if matches!(flight.arrival, Arrival::Impact { .. }) {
+            highest = highest.max(of_flight);
+            of_flight = 0.0;
+        }
+    }
+    highest
+}
+
+/// The height of a flight if it were a parabola with the larger speed of its ends, on top of what it starts from.
+fn estimate(flight: &response::Flight) -> f64 {
+    let speed = match flight.arrival {
+        Arrival::Impact { speed, .. } => speed,
+        Arrival::Aloft { .. } | Arrival::Overturned { .. } | Arrival::Lost(_) => 0.0,
+    };
+    flight.departure.rotation + 0.25 * flight.duration * speed.max(flight.departure.velocity.abs())
+}
+
+fn peak_of(flight: &response::Flight, solver: &dyn FlightSolver) -> f64 {
+    let at = |s: f64| solver.motion(&flight.departure, s);
+    let part = flight.duration / f64::from(PARTS);
+    let heights = (0..=PARTS).map(|k| (f64::from(k) * part, at(f64::from(k) * part).0));
+    let (place, height) = heights.fold((0.0, 0.0), |best, new| if new.1 > best.1 { new } else { best });
+    let (mut rising, mut falling) = ((place - part).max(0.0), (place + part).min(flight.duration));
+    for _ in 0..24 {
+        let middle = 0.5 * (rising + falling);
+        if at(middle).1 > 0.0 { rising = middle } else { falling = middle }
+    }
+    height.max(at(rising).0)
+}
+
+fn row(sample: &response::Sample) -> Row {
+    Row {
+        time: sample.tau,
+        rotation: sample.phi,
+        velocity: sample.phi_velocity,
+        ground: sample.ground_acceleration,
+        state: match sample.state {
+            response::State::Rest => State::Rest,
+            response::State::Rocking => State::Rocking,
+            response::State::Overturned => State::Overturned,
+            response::State::Lying => State::Lying,
+        },
+    }
+}
