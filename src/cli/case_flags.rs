@@ -14,6 +14,8 @@ use chattercheck::{
 use clap::Args;
 use contract::{Case, Horizon};
 
+use super::numbers::number;
+
 /// A dimensionless case. Each value means the double nearest to it.
 #[derive(Args)]
 pub(crate) struct CaseFlags {
@@ -55,7 +57,7 @@ pub(crate) struct CaseFlags {
     #[arg(long, value_name = "RAD", allow_hyphen_values = true, value_parser = number)]
     alpha: Option<f64>,
     /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
-    #[arg(long, value_name = "threshold|slender", requires = "alpha")]
+    #[arg(long, value_name = "threshold|slender")]
     normalisation: Option<String>,
     /// Follow the block to this time tau, past half a period if it still rocks; for a scene from the start of its motion
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
@@ -98,20 +100,19 @@ impl CaseFlags {
     }
 }
 
-/// A scene file. No more of it is read than a scene may be long, and a byte to tell that it is longer.
+/// A scene file.
 pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
-    let mut text = String::new();
-    let file = fs::File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let read = file.take(scene::MOST_BYTES as u64 + 1).read_to_string(&mut text);
-    let read = read.map_err(|error| match error.kind() {
-        io::ErrorKind::InvalidData => anyhow!("{}: not a text (UTF-8)", path.display()),
-        _ => anyhow!("cannot read {}: {error}", path.display()),
-    });
-    read?;
-    Scene::parse(&text).with_context(|| path.display().to_string())
+    Scene::parse(&read_text(path)?).with_context(|| path.display().to_string())
 }
 
-/// A number of the command line. Whether its value is allowed is for the contract to say.
-pub(super) fn number(text: &str) -> Result<f64, &'static str> {
-    text.parse().map_err(|_| "not a number; allowed is one as in 1.03 or 1e-3")
+/// A file that people write. No more of it is read than a scene may be long, and a byte to tell that it is longer.
+pub(super) fn read_text(path: &Path) -> anyhow::Result<String> {
+    let mut text = String::new();
+    let file = fs::File::open(path).map_err(|error| anyhow!("cannot read {}: {error}", path.display()))?;
+    let read = file.take(scene::MOST_BYTES as u64 + 1).read_to_string(&mut text);
+    read.map_err(|error| match error.kind() {
+        io::ErrorKind::InvalidData => anyhow!("{}: not a text (UTF-8)", path.display()),
+        _ => anyhow!("cannot read {}: {error}", path.display()),
+    })?;
+    Ok(text)
 }

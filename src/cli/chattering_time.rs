@@ -15,7 +15,9 @@ use super::{
     Status,
     case_facts::CaseFacts,
     case_flags::CaseFlags,
+    estimate,
     followed::{Followed, follow},
+    numbers::{count, whole},
     oracle_flags::{Asked, OracleFlags},
     output::{Format, note},
 };
@@ -28,10 +30,10 @@ pub(super) struct Arguments {
     #[command(flatten)]
     oracle: OracleFlags,
     /// Close the sum after this many impacts [default: as many as the restitution and the closeness to a_cr need]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count)]
     impacts: Option<usize>,
     /// For enclosure: how many digits are to be proven, 1 to 100 [default: as many as a double holds]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole)]
     digits: Option<i64>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -82,6 +84,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         }
         return enclosed(arguments, &proven, &case);
     }
+    estimate::impacts(oracle.as_ref(), &case);
     let (case, observed) = arguments.observe(oracle.as_ref(), case)?;
     if let Some(followed) = follow(flags, oracle.as_ref(), Some(observed.history.ending))? {
         return in_scene(arguments, oracle.name(), &followed);

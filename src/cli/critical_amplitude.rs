@@ -3,7 +3,7 @@ use chattercheck::{measure::critical, panel};
 use clap::Args;
 use serde::Serialize;
 
-use super::{Status, case_flags::number, output::Format};
+use super::{Status, numbers::number, output::Format};
 
 /// The critical amplitude of the linear model: below it the chattering is complete, above it incomplete; with a proof of both
 ///

@@ -8,7 +8,12 @@ use chattercheck::studies::{
 use clap::Args;
 use contract::Invalid;
 
-use super::{Status, case_flags::number, files::make_folder, output::print};
+use super::{
+    Status,
+    files::make_folder,
+    numbers::{number, whole},
+    output::print,
+};
 
 /// Where and why the asymptotic series breaks near the critical amplitude: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -26,7 +31,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "E,E,...", default_value = "0.5,0.8,0.92,0.97", value_delimiter = ',', allow_hyphen_values = true, value_parser = number)]
     eta: Vec<f64>,
     /// How many steps each axis of the maps over omega and eta has, 1 to 200
-    #[arg(long, value_name = "N", default_value_t = 16, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 16, allow_negative_numbers = true, value_parser = whole)]
     grid: i64,
 }
 

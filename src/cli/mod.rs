@@ -7,8 +7,10 @@ mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
+mod estimate;
 mod files;
 mod followed;
+mod numbers;
 mod oracle_flags;
 mod oracles;
 mod output;
@@ -27,7 +29,7 @@ mod verify;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use output::{Unwritten, note};
+use output::{Unwritten, complain};
 
 /// Differential verification of the chattering of a rocking rigid block.
 ///
@@ -76,7 +78,7 @@ impl Status {
         match written {
             Ok(()) => self,
             Err(error) => {
-                note(format_args!("chattercheck: {error:#}"));
+                complain(&format!("{error:#}"));
                 if self == Self::Well { Self::Failed } else { self }
             }
         }
@@ -119,7 +121,7 @@ pub(crate) fn run() -> ExitCode {
     match result {
         Ok(status) => status.into(),
         Err(error) => {
-            note(format_args!("chattercheck: {error:#}"));
+            complain(&format!("{error:#}"));
             if error.chain().any(|cause| cause.is::<Unwritten>()) { Status::Failed.into() } else { ExitCode::from(2) }
         }
     }
@@ -134,6 +136,6 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let lines = text.lines().take_while(|line| !line.starts_with("Usage") && !line.starts_with("For more"));
     let line = lines.map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    note(format_args!("chattercheck: {}", line.trim_start_matches("error: ")));
+    complain(line.trim_start_matches("error: "));
     ExitCode::from(2)
 }

@@ -8,7 +8,7 @@ use chattercheck::{
 use clap::Args;
 use contract::{Case, Invalid, Model, Normalisation, Oracle, Slenderness};
 
-use super::case_flags::{CaseFlags, number};
+use super::{case_flags::CaseFlags, numbers::number};
 
 /// Which oracle to ask, and its settings.
 #[derive(Args)]

@@ -8,6 +8,7 @@ use std::{
     io::{self, BufWriter, Write},
 };
 
+use chattercheck::cases::toml_error::is_control;
 use clap::ValueEnum;
 use serde::Serialize;
 
@@ -58,6 +59,21 @@ pub(super) fn print_csv<Row: Serialize>(rows: &[Row]) -> Result<(), Unwritten> {
 /// Tells people something, on stderr, if anybody listens.
 pub(super) fn note(text: impl fmt::Display) {
     let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Says what is wrong, in one line that is not endless, and without anything that a terminal would obey.
+pub(super) fn complain(text: &str) {
+    // What is too long is what was typed, in the middle.
+    const KEPT: usize = 300;
+    let shown = |c: char| if is_control(c) { char::REPLACEMENT_CHARACTER } else { c };
+    let text: Vec<char> = text.replace('\n', " ").chars().map(shown).collect();
+    let line = |part: &[char]| part.iter().collect::<String>();
+    match (text.first_chunk::<KEPT>(), text.last_chunk::<KEPT>()) {
+        (Some(first), Some(last)) if text.len() > 2 * KEPT => {
+            note(format_args!("chattercheck: {}...{}", line(first), line(last)));
+        }
+        _ => note(format_args!("chattercheck: {}", line(&text))),
+    }
 }
 
 /// How a command that answers one question prints its answer.

@@ -6,12 +6,7 @@ use clap::Args;
 use contract::Invalid;
 use serde::Serialize;
 
-use super::{
-    Status,
-    case_facts::CaseFacts,
-    case_flags::{number, read_scene},
-    output::Format,
-};
+use super::{Status, case_facts::CaseFacts, case_flags::read_scene, numbers::number, output::Format};
 
 /// The cheapest method that answers a scene as accurately as it asks, and why
 ///

@@ -1,4 +1,4 @@
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Context as _;
 use chattercheck::{
@@ -14,7 +14,7 @@ use chattercheck::{
 use clap::Args;
 use contract::Oracle;
 
-use super::{Status, report_files::ReportFiles};
+use super::{Status, case_flags::read_text, output::note, report_files::ReportFiles};
 
 /// Run one stored disagreement again
 #[derive(Args)]
@@ -28,8 +28,16 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
     let files = arguments.files.check()?;
-    let text = fs::read_to_string(&arguments.file).with_context(|| format!("cannot read {path}"))?;
-    let (replay, case) = Replay::read(&text).with_context(|| path.to_string())?;
+    let text = read_text(&arguments.file)?;
+    let other = version_of(&text).filter(|version| version != env!("CARGO_PKG_VERSION"));
+    let (replay, case) = Replay::read(&text).with_context(|| match &other {
+        Some(version) => format!("{path}, written by version {version}, not by {}", env!("CARGO_PKG_VERSION")),
+        None => path.to_string(),
+    })?;
+    if let Some(version) = other {
+        let ours = env!("CARGO_PKG_VERSION");
+        note(format_args!("{path} was written by version {version}; this is {ours}, whose oracles may differ"));
+    }
     let panel = panel::select(&replay.oracles.join(",")).with_context(|| path.to_string())?;
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let judges = panel::judges();
@@ -51,4 +59,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let status = if report.passes() { Status::Well } else { Status::Disagreed };
     let status = status.after(files.print(&format!("{text}{verdict}\n")));
     Ok(status.after(files.write(&report, &cases)))
+}
+
+/// The version that a replay file says it was written by, even where this one can't read the rest.
+fn version_of(text: &str) -> Option<String> {
+    Some(text.parse::<toml::Table>().ok()?.get("version")?.as_str()?.to_owned())
 }

@@ -12,7 +12,8 @@ use serde::Serialize;
 use super::{
     Status,
     case_facts::CaseFacts,
-    case_flags::{number, read_scene},
+    case_flags::read_scene,
+    numbers::{count, number},
     output::{json, note, print, print_csv},
 };
 
@@ -49,7 +50,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     to: Option<f64>,
     /// Into how many steps the printed part is divided [default: 1000]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count)]
     steps: Option<usize>,
     /// Output format: the history as CSV, or what happens as JSON
     #[arg(long, value_enum, default_value_t = Format::Csv)]

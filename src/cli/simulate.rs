@@ -11,7 +11,9 @@ use super::{
     Status,
     case_facts::CaseFacts,
     case_flags::CaseFlags,
+    estimate,
     followed::{Followed, follow},
+    numbers::count,
     oracle_flags::{Asked, OracleFlags},
     output,
 };
@@ -29,7 +31,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     oracle: OracleFlags,
     /// List this many impacts at the most
-    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count)]
     impacts: usize,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Csv)]
@@ -97,6 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Asked::Auto(question) => arguments.stepper(&question)?,
         Asked::Oracle(oracle) => oracle,
     };
+    estimate::impacts(oracle.as_ref(), &case);
     let Listed { history, start, unsure } = arguments.listed(oracle.as_ref(), &case)?;
     let rows = rows(&history, start);
     let ending =

@@ -23,6 +23,7 @@ use rayon::prelude::*;
 use super::{
     Status,
     files::{Target, check_folder, make_folder},
+    numbers::count,
     output::note,
     report_files::ReportFiles,
     seed::Seed,
@@ -32,7 +33,7 @@ use super::{
 #[derive(Args)]
 pub(super) struct Arguments {
     /// How many random cases, beside those of the other generators
-    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true, value_parser = count)]
     cases: usize,
     #[command(flatten)]
     seed: Seed,

@@ -3,6 +3,7 @@
 
 mod command_line;
 mod guide;
+mod hostile;
 mod independence;
 mod options;
 mod pages;

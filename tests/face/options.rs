@@ -145,7 +145,11 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("response SCENE --format json", "--steps 7", Refused(&["steps = 7", "--format csv"])),
         ("chattering-time", "--scene SCENE --alpha 0.1", Refused(&["--scene", "--alpha"])),
         ("chattering-time", "--scene SCENE --normalisation slender", Refused(&["--normalisation"])),
-        ("chattering-time --a 1.01 --omega 2 --eta 0.9", "--normalisation slender", Refused(&["--alpha"])),
+        (
+            "chattering-time --a 1.01 --omega 2 --eta 0.9",
+            "--normalisation slender",
+            Refused(&["normalisation = slender", "alpha"]),
+        ),
         ("chattering-time --a 1.01 --omega 2 --eta 0.9", "--epsilon 0.01", Refused(&["--epsilon", "--a"])),
         ("chattering-time --scene SCENE", "--impacts 5", Refused(&["impacts = 5", "auto"])),
         ("chattering-time --scene SCENE", "--until 5", Refused(&["until = 5", "auto"])),
