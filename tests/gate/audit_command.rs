@@ -63,6 +63,9 @@ fn a_small_share_is_green_and_says_what_it_can_not_judge() {
     let (status, text, report, _) = verify("--cases 10 --partition 7/90", folder.path());
     assert_eq!((status, report["shortfalls"].as_array().unwrap().len()), (0, 0), "{text}");
     assert!(text.contains("not judged") && text.contains("too few cases"), "{text}");
+    assert!(!text.contains("Worst figure of each pair") && text.lines().count() < 40, "{text}");
+    let (_, full, ..) = verify("--cases 10 --partition 7/90 --full", folder.path());
+    assert!(full.contains("Worst figure of each pair") && full.lines().count() > text.lines().count() + 50, "{full}");
 }
 
 /// Whatever is printed of a failure leads back to it.
