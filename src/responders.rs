@@ -22,7 +22,7 @@ pub struct Stepped {
     pub model: Model,
     /// See [`Responder::accuracy`].
     pub accuracy: f64,
-    /// Whether its table is looked at as well, and how high it rocks, and where it lies in the end.
+    /// Whether its table is looked at as well, and how high it rocks.
     pub table: bool,
 }
 
@@ -89,9 +89,8 @@ impl Responder for Stepped {
 
     fn respond(&self, shaking: &Shaking, rows: usize) -> Option<Whole> {
         let Shaking { phase, lasts, until, .. } = *shaking;
-        let request = Request::new(self.case(shaking)?, lasts, until).ok()?;
-        let request = Request { phase, lies_at: request.lies_at.filter(|_| self.table), ..request };
-        self.whole(&request, rows).ok()
+        let asked = Request::new(shaking.case, lasts, until).ok()?;
+        self.whole(&Request { phase, case: self.case(shaking)?, ..asked }, rows).ok()
     }
 }
 

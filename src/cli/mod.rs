@@ -24,6 +24,7 @@ mod scene;
 mod seed;
 mod simulate;
 mod tolerances;
+mod verified_responses;
 mod verify;
 
 use std::process::ExitCode;

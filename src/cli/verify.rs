@@ -27,6 +27,7 @@ use super::{
     output::note,
     report_files::ReportFiles,
     seed::Seed,
+    verified_responses::Responses,
 };
 
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
@@ -35,6 +36,8 @@ pub(super) struct Arguments {
     /// How many random cases, beside those of the other generators
     #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true, value_parser = count)]
     cases: usize,
+    #[command(flatten)]
+    responses: Responses,
     #[command(flatten)]
     seed: Seed,
     /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel]
@@ -82,7 +85,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
-    let bar = progress(cases.len() as u64, arguments.quiet);
+    let responses = arguments.responses.chosen(&panel, seed, partition)?;
+    let bar = progress((cases.len() + responses.len()) as u64, arguments.quiet);
     let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
     let failed = AtomicUsize::new(0);
     let done = |is_wrong: bool| {
@@ -92,8 +96,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         bar.inc(1);
     };
     let run = run::run(&panel, &judges, &cases, seed, ladders, done);
+    let (of_responses, wrong_responses) = responses.run(done);
     bar.finish_and_clear();
-    let report = Report::new(&run, &panel::roles());
+    let report = Report::new(&run, &panel::roles()).with_responses(of_responses);
     // First what was found: shrinking may take a while.
     let status = if report.passes() { Status::Well } else { Status::Disagreed };
     let tables = if arguments.full { format!("\n{}", report::full(&report)) } else { String::new() };
@@ -101,7 +106,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let status = status.after(files.print(&text));
     let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
-    if let Err(error) = write_replays(&panel, &judges, seed, &run.failures, replays, partition) {
+    let part = of_partition(partition);
+    let written = write_replays(&panel, &judges, seed, &run.failures, replays, &part);
+    if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part)) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
     }
     Ok(status)
@@ -112,12 +119,12 @@ fn next(report: &Report, full: bool, folder: &Path) -> String {
     let tables = if full { "" } else { "; --full prints every pair, claim and law" };
     if report.passes() {
         format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1))
-    } else if report.failures.is_empty() {
+    } else if report.failures.is_empty() && report.responses.as_ref().is_none_or(|of| of.failures.is_empty()) {
         format!("next: see which oracles the shortfalls name{tables}\n")
     } else {
         let folder = folder.display();
         format!(
-            "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`{tables}\n"
+            "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`, scenes with `chattercheck response`{tables}\n"
         )
     }
 }
@@ -167,6 +174,11 @@ fn progress(length: u64, quiet: bool) -> ProgressBar {
     }
 }
 
+/// What tells the files of one share of a run from those of another.
+fn of_partition((part, parts): (usize, usize)) -> String {
+    if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() }
+}
+
 /// How many causes are shrunk, and how many failures of each.
 const CAUSES: usize = 5;
 const OF_EACH: usize = 2;
@@ -178,7 +190,7 @@ fn write_replays(
     seed: u64,
     failures: &[Failure],
     folder: &Path,
-    (part, parts): (usize, usize),
+    part: &str,
 ) -> anyhow::Result<()> {
     let groups = by_cause(failures, Failure::cause);
     let chosen: Vec<&Failure> =
@@ -190,7 +202,6 @@ fn write_replays(
             Some(Replay::new(&shrunk, failure.named.to_string(), seed))
         })
         .collect();
-    let part = if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() };
     if !replays.is_empty() {
         make_folder("replays", folder)?;
     }

@@ -157,6 +157,8 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("verify", "--oracles closed-form,closed-form", Refused(&["oracles = closed-form", "each once"])),
         ("verify", "--oracles ode,ode/linear/bdf", Refused(&["oracles = ode/linear/bdf", "each once"])),
         ("verify", "--oracles closed-form", Refused(&["oracles = closed-form", "two oracles"])),
+        ("verify", "--responses 3 --oracles asymptotic", Refused(&["responses = 3", "--oracles"])),
+        ("verify", "--responses 1000001", Refused(&["responses = 1000001", "1000000"])),
         ("verify", "--partition 0/2", Refused(&["partition = 0/2"])),
         ("verify", "--judge -1", Refused(&["judge = -1"])),
         ("chart --out /tmp", "--only atlas --peers none.csv", Refused(&["peers", "--only work-precision"])),

@@ -27,7 +27,7 @@ fn of_a_green_share_every_case_is_accounted_for() {
     let folder = tempfile::tempdir().unwrap();
     let oracles = "closed-form,taylor,asymptotic/paper";
     let (status, text, report, junit) =
-        verify(&format!("--cases 50 --seed 5 --partition 2/3 --oracles {oracles}"), folder.path());
+        verify(&format!("--cases 50 --responses 10 --seed 5 --partition 2/3 --oracles {oracles}"), folder.path());
     let stepper = panel::stepper();
     let all: Vec<String> = Generator::ALL
         .into_iter()
@@ -36,7 +36,11 @@ fn of_a_green_share_every_case_is_accounted_for() {
         .collect();
     let share: Vec<&String> = all.iter().skip(1).step_by(3).collect();
     assert_eq!(report["reach"]["cases"], share.len());
-    assert_eq!(junit.matches("<testcase").count(), share.len() + 1);
+    // Each case, responses 2, 5 and 8, and the two runs as a whole.
+    let responses = ["response/2", "response/5", "response/8"];
+    assert_eq!(report["responses"]["names"], Value::from(responses.to_vec()));
+    assert_eq!(junit.matches("<testcase").count(), share.len() + 3 + 2);
+    assert!(responses.iter().all(|name| junit.contains(&format!("\"{name}\""))), "{junit}");
     let named: Vec<String> = super::audit::junit_cases(&junit).into_iter().map(|(name, _)| name).collect();
     assert!(share.iter().copied().eq(&named[..share.len()]), "every case is in the JUnit file, in order");
     assert_eq!((status, &report["verdict"]), (0, &Value::from("pass")));

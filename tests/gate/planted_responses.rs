@@ -5,7 +5,12 @@ use std::f64::consts::PI;
 
 use chattercheck::{
     cases::shaking::Shaking,
-    gate::responses::{self, Finding, Law, Outcome, Request, Responder, What, Whole, Wrong},
+    gate::{
+        judge::Judges,
+        report::{self, Report},
+        responses::{self, Finding, Law, Outcome, Request, Responder, What, Whole, Wrong},
+        run::{self, Selection},
+    },
     motion::{response::Termination, scene::Scene},
     panel::{self, Settings},
     responders::Stepped,
@@ -178,9 +183,9 @@ fn anything(_: &Wrong) -> bool {
 #[test]
 fn the_method_without_a_mistake_is_green() {
     assert!(!found(&asked(same), anything));
-    let (report, failures) = responses::run(&[&asked(same)], &shakings(), || ());
+    let (report, failures) = responses::run(&[&asked(same)], &shakings(), |_| ());
     assert!(report.passes() && failures.is_empty());
-    let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), || ());
+    let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), |_| ());
     assert!(!report.passes() && !failures.is_empty() && report.methods["mistaken"].wrong == failures.len());
 }
 
@@ -351,7 +356,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
     }
     let (one, two) = (other("one"), other("two"));
     let request = Request { responses: 20, seed: 1, partition: (1, 1) };
-    let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), || ());
+    let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), |_| ());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
         assert_eq!(finding.agreeing, [if finding.method == "one" { "two" } else { "one" }]);
@@ -364,7 +369,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
     let request = Request { responses: 40, seed: 1, partition: (1, 1) };
-    let (_, failures) = responses::run(&[&method], &responses::shakings(&request), || ());
+    let (_, failures) = responses::run(&[&method], &responses::shakings(&request), |_| ());
     let failure = &failures[0];
     let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);
     assert!(finding.wrong.resembles(&failure.findings[0].wrong));
@@ -379,4 +384,42 @@ fn what_disagrees_is_shrunk_to_a_scene() {
         (asked.case.amplitude(), asked.case.omega(), asked.phase),
         (shaking.case.amplitude(), shaking.case.omega(), shaking.phase)
     );
+}
+
+/// A whole response that is wrong turns the run red, in the text, in the JSON and in JUnit; one case or response is not that of another.
+#[test]
+fn a_wrong_response_is_in_every_report() {
+    let panel = panel::select("closed-form,taylor").unwrap();
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let cases = [run::cases(&Selection { cases: 0, seed: 1, partition: (1, 1) }, panel[0]).swap_remove(0)];
+    let judges = Judges { oracles: Vec::new(), every: 1 };
+    let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, |_| ()), &panel::roles());
+    assert!(green().passes());
+    let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], |_| ());
+    assert!(green().with_responses(Some(all_well)).passes());
+    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings()[..20], |_| ());
+    let names: Vec<&str> = failures.iter().map(|failure| failure.name.as_str()).collect();
+    let report = green().with_responses(Some(wrong));
+    assert!(!report.passes() && !names.is_empty());
+    let text = report::text(&report);
+    assert!(
+        text.starts_with("FAIL") && text.contains(&format!("{} of 20 whole responses failed", names.len())),
+        "{text}"
+    );
+    assert!(text.contains(&format!("FAILED {}", names[0])) && text.contains("time of an impact"), "{text}");
+    let json = serde_json::to_value(&report).unwrap();
+    assert_eq!(json["verdict"], "fail");
+    let in_json: Vec<&str> = json["responses"]["failures"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|failed| failed["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(in_json, names);
+    let junit = super::audit::junit_cases(&report::junit(&report, &cases).unwrap());
+    let failed: Vec<&str> =
+        junit.iter().filter(|(_, failed)| failed.is_some()).map(|(name, _)| name.as_str()).collect();
+    assert_eq!(failed, names);
+    // The case, twenty responses, and the two of the runs as a whole.
+    assert_eq!(junit.len(), 1 + 20 + 2);
 }

@@ -9,7 +9,7 @@ use contract::{Case, Model, Normalisation, Slenderness};
 use crate::effort::pick;
 
 fn run(responders: &[&dyn Responder], request: &Request) -> (Report, Vec<responses::Failure>) {
-    responses::run(responders, &responses::shakings(request), || ())
+    responses::run(responders, &responses::shakings(request), |_| ())
 }
 
 fn request(responses: usize) -> Request {
@@ -84,5 +84,5 @@ fn whole_responses_agree_with_a_plain_follower() {
     let all = responders::all();
     let all: Vec<&dyn Responder> = all.iter().map(|one| one as &dyn Responder).collect();
     let (report, failures) = run(&all, &request(pick("responses", Request::DEFAULT, 5000)));
-    assert!(report.passes() && failures.is_empty(), "{}", responses::text(&report));
+    assert!(report.passes() && failures.is_empty(), "{}", responses::failures_text(&report));
 }

@@ -3,7 +3,7 @@
 use quick_junit::{NonSuccessKind, Report as Xml, TestCase, TestCaseStatus, TestSuite};
 
 use super::{FailedCase, Report, failure_text};
-use crate::cases::generate::Named;
+use crate::{cases::generate::Named, gate::responses};
 
 /// The JUnit document of a run over `cases`.
 ///
@@ -18,6 +18,9 @@ pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::Se
         suite.add_test_case(TestCase::new(name, failure.map_or_else(TestCaseStatus::success, failed)));
     }
     xml.add_test_suite(suite);
+    if let Some(of) = &report.responses {
+        xml.add_test_suite(suite_of_responses(of));
+    }
     let mut whole = TestSuite::new("verify as a whole");
     let mut status = TestCaseStatus::success();
     if !report.shortfalls.is_empty() {
@@ -28,6 +31,25 @@ pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::Se
     whole.add_test_case(TestCase::new("shortfalls", status));
     xml.add_test_suite(whole);
     xml.to_string()
+}
+
+/// One test case for each whole response, and one for the run of them as a whole.
+fn suite_of_responses(report: &responses::Report) -> TestSuite {
+    let failure = |text: String| {
+        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+        status.set_message(text);
+        status
+    };
+    let mut suite = TestSuite::new("whole responses");
+    for name in &report.names {
+        let failed = report.failures.iter().find(|failed| failed.name == *name);
+        let status = failed.map_or_else(TestCaseStatus::success, |failed| failure(failed.text()));
+        suite.add_test_case(TestCase::new(name.clone(), status));
+    }
+    let short = Some(report.shortfalls.join("\n")).filter(|said| !said.is_empty());
+    let status = short.map_or_else(TestCaseStatus::success, failure);
+    suite.add_test_case(TestCase::new("shortfalls of the responses", status));
+    suite
 }
 
 fn failed(failure: &FailedCase) -> TestCaseStatus {

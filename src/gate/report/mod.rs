@@ -19,6 +19,7 @@ use crate::{
         identity::Identity,
         ladder::Descent,
         pair::Pair,
+        responses,
         roles::Roles,
         run::Run,
         shortfall::{NotJudged, Shortfall, shortfalls},
@@ -63,6 +64,9 @@ pub struct Report {
     pub shortfalls: Vec<Shortfall>,
     /// What the run was too small to judge.
     pub not_judged: Vec<NotJudged>,
+    /// What was found in whole responses, where any were run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub responses: Option<responses::Report>,
     /// Green or red.
     pub verdict: Verdict,
 }
@@ -163,8 +167,16 @@ impl Report {
             failures,
             shortfalls,
             not_judged,
+            responses: None,
             verdict: if green { Verdict::Pass } else { Verdict::Fail },
         }
+    }
+
+    /// The same with what was found in whole responses: one of them that is wrong turns the run red as a case does.
+    #[must_use]
+    pub fn with_responses(self, responses: Option<responses::Report>) -> Self {
+        let passes = responses.as_ref().is_none_or(responses::Report::passes);
+        Self { responses, verdict: if passes { self.verdict } else { Verdict::Fail }, ..self }
     }
 
     /// Whether nothing was wrong.

@@ -4,7 +4,7 @@ use comfy_table::{CellAlignment, Table, presets};
 
 use super::Report;
 use crate::{
-    gate::{counting::WorstFigure, ladder::Ladder, laws::Law},
+    gate::{counting::WorstFigure, ladder::Ladder, laws::Law, responses},
     measure::observables::Observable,
 };
 
@@ -31,6 +31,10 @@ pub fn full(report: &Report) -> String {
         let broken = report.failures.iter().filter(breaks).count();
         let held = if broken == 0 { "holds in every history".to_owned() } else { format!("BROKEN in {broken} cases") };
         out += &format!("{}: {held}\n", law.says());
+    }
+    if let Some(of) = &report.responses {
+        out += "\nWhole responses, each method against the plain follower.\n";
+        out += &responses::methods_text(of);
     }
     out
 }

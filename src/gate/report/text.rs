@@ -10,6 +10,7 @@ use crate::{
         failure::{by_cause, common},
         finding::Finding,
         ladder::Descent,
+        responses,
         verdict::Verdict,
     },
     measure::observables::Observable,
@@ -18,10 +19,11 @@ use crate::{
 /// The report in short: what came out, what was exercised, how narrow it was, what was left out, and what to do next.
 pub fn text(report: &Report) -> String {
     let mut out = verdict(report);
-    for line in exercised(report).into_iter().chain(margins(report)).chain(left_out(report)) {
+    for line in exercised(report).into_iter().chain(margins(report)).chain(of_responses(report)).chain(left_out(report))
+    {
         let _ = writeln!(out, "{line}");
     }
-    if !report.failures.is_empty() || !report.shortfalls.is_empty() {
+    if report.verdict == Verdict::Fail {
         out.push('\n');
     }
     for shortfall in &report.shortfalls {
@@ -42,6 +44,7 @@ pub fn text(report: &Report) -> String {
         let more: usize = groups.iter().skip(CAUSES).map(|(_, group)| group.len()).sum();
         let _ = writeln!(out, "and {} other causes, in {more} more cases", groups.len() - CAUSES);
     }
+    out.extend(report.responses.as_ref().map(responses::failures_text));
     out
 }
 
@@ -51,6 +54,11 @@ const NAMES: usize = 4;
 
 fn verdict(report: &Report) -> String {
     let (cases, oracles) = (report.reach.cases, report.oracles.len());
+    let of_responses = report.responses.as_ref().map_or_else(String::new, |of| match report.verdict {
+        Verdict::Pass => format!(" and {} whole responses", of.responses),
+        Verdict::Fail if of.passes() => String::new(),
+        Verdict::Fail => format!("; {} of {} whole responses failed", of.failures.len(), of.responses),
+    });
     let said = match report.verdict {
         Verdict::Pass => format!("{oracles} oracles agree on {cases} cases"),
         Verdict::Fail => {
@@ -62,7 +70,7 @@ fn verdict(report: &Report) -> String {
             }
         }
     };
-    format!("{}: {said} (chattercheck {}, seed {})\n", report.verdict, report.version, report.seed)
+    format!("{}: {said}{of_responses} (chattercheck {}, seed {})\n", report.verdict, report.version, report.seed)
 }
 
 fn exercised(report: &Report) -> Vec<String> {
@@ -112,6 +120,12 @@ fn margins(report: &Report) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// What was exercised of whole responses.
+fn of_responses(report: &Report) -> Vec<String> {
+    let lines = report.responses.as_ref().map(responses::exercised).unwrap_or_default();
+    lines.into_iter().map(|(head, said)| format!("  {head:12} {said}")).collect()
 }
 
 fn left_out(report: &Report) -> Vec<String> {

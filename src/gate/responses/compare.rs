@@ -155,14 +155,12 @@ impl Comparison<'_> {
                 return (!closed).then(|| plain(What::NoImpact, impact.time));
             };
             let late = ROUNDING * (1.0 + impact.time);
-            self.used.set(self.used.get().max((found.time - impact.time).abs() / (self.scale * time + late)));
-            let difference =
-                unless_near(What::ImpactTime, impact.time, found.time, impact.time, self.scale * time + late).or_else(
-                    || {
-                        let allowed = (self.scale * speed + 1e-11) * impact.before + 1e-16;
-                        unless_near(What::ImpactSpeed, impact.time, found.before, impact.before, allowed)
-                    },
-                );
+            let late = self.scale * time + late;
+            let faster = (self.scale * speed + 1e-11) * impact.before + 1e-16;
+            let shares = [(found.time - impact.time).abs() / late, (found.before - impact.before).abs() / faster];
+            self.used.set(shares.into_iter().fold(self.used.get(), f64::max));
+            let difference = unless_near(What::ImpactTime, impact.time, found.time, impact.time, late)
+                .or_else(|| unless_near(What::ImpactSpeed, impact.time, found.before, impact.before, faster));
             if difference.is_some() {
                 return difference;
             }

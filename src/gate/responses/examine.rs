@@ -42,7 +42,7 @@ pub enum Asked {
         impacts: usize,
         /// How many rows.
         rows: usize,
-        /// The largest share of what is allowed that the time of an impact used.
+        /// The largest share of what is allowed that an impact used.
         used: f64,
     },
 }

@@ -23,7 +23,7 @@ mod whole;
 pub use compare::{Difference, What};
 pub use examine::{Examination, Finding, Wrong, examine};
 pub use laws::Law;
-pub use report::{Failed, Method, Reach, Report, text};
+pub use report::{Failed, Method, Reach, Report, exercised, failures_text, methods_text};
 pub use run::{Failure, Request, run, shakings};
 pub use scene::scene_text;
 pub use shrink::shrink;

@@ -117,7 +117,9 @@ impl Reach {
 /// What was found in the responses of a run.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// How many responses.
+    /// Which responses, in order.
+    pub names: Vec<String>,
+    /// How many.
     pub responses: usize,
     /// Of them, in how many it is too close to call what happens from some time on.
     pub too_close: usize,
@@ -146,7 +148,7 @@ pub struct Method {
     pub rows: usize,
     /// How many of its responses were wrong.
     pub wrong: usize,
-    /// The largest share of what was allowed that the time of an impact used, where nothing was wrong.
+    /// The largest share of what was allowed that an impact used, where nothing was wrong.
     pub used: f64,
 }
 
@@ -174,7 +176,8 @@ pub struct Failed {
 }
 
 impl Report {
-    pub(super) fn add(&mut self, examination: &Examination) {
+    pub(super) fn add(&mut self, name: &str, examination: &Examination) {
+        self.names.push(name.to_owned());
         self.responses += 1;
         self.too_close += usize::from(examination.too_close);
         for reach in &examination.reach {
@@ -251,37 +254,49 @@ impl From<&Failure> for Failed {
 }
 
 /// How many failed responses the text shows.
-const SHOWN: usize = 10;
+const SHOWN: usize = 5;
 
-/// The report for people.
-pub fn text(report: &Report) -> String {
-    let mut out = format!(
-        "Whole responses: {}, each method against a plain follower of its own loop and integrator; {} too close to call from some time on.\n",
-        report.responses, report.too_close
-    );
-    let reach: Vec<String> = report.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name())).collect();
-    let mut line = |text: &str| {
-        out.push_str(text);
-        out.push('\n');
-    };
-    line(&format!("reached: {}", reach.join(", ")));
-    for (name, method) in &report.methods {
+/// What was exercised, in lines of a head and what is said.
+pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
+    let Report { responses, too_close, reach, methods, .. } = report;
+    let reached: Vec<String> = reach.iter().map(|(reach, count)| format!("{count} {}", reach.name())).collect();
+    let reached = reached.chunks(4).map(|few| ("", few.join(", ")));
+    let (bouts, impacts) =
+        methods.values().fold((0, 0), |(bouts, impacts), method| (bouts + method.bouts, impacts + method.impacts));
+    let mut lines = vec![(
+        "responses",
+        format!(
+            "{responses} whole responses by {} methods against a plain follower: {bouts} bouts, {impacts} impacts",
+            methods.len()
+        ),
+    )];
+    lines.extend(reached);
+    if let Some((name, method)) = methods.iter().max_by(|(_, one), (_, two)| one.used.total_cmp(&two.used)) {
+        let used = 100.0 * method.used;
+        lines.push(("", format!("{used:.0} % of what is allowed at the most: {name}; {too_close} too close to call")));
+    }
+    lines
+}
+
+/// What went wrong, one thing after the other; empty where nothing did.
+pub fn failures_text(report: &Report) -> String {
+    let shortfalls = report.shortfalls.iter().map(|shortfall| format!("SHORTFALL: {shortfall}\n"));
+    let failures = report.failures.iter().take(SHOWN).map(|failed| failed.text() + "\n");
+    let more = report.failures.len().saturating_sub(SHOWN);
+    let more = (more > 0).then(|| format!("and {more} more failed responses, all in the JSON report\n"));
+    shortfalls.chain(failures).chain(more).collect()
+}
+
+/// Every method in a line.
+pub fn methods_text(report: &Report) -> String {
+    let line = |(name, method): (&String, &Method)| {
         let Method { answered, declined, bouts, impacts, rows, wrong, used } = method;
         let used = 100.0 * used;
-        line(&format!(
-            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used"
-        ));
-    }
-    for shortfall in &report.shortfalls {
-        line(&format!("SHORTFALL: {shortfall}"));
-    }
-    for failed in report.failures.iter().take(SHOWN) {
-        line(&failed.text());
-    }
-    if report.failures.len() > SHOWN {
-        line(&format!("and {} more failed responses, all in the JSON report", report.failures.len() - SHOWN));
-    }
-    out
+        format!(
+            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used\n"
+        )
+    };
+    report.methods.iter().map(line).collect()
 }
 
 impl Failed {

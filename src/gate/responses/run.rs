@@ -46,24 +46,24 @@ pub fn shakings(request: &Request) -> Vec<(String, Shaking)> {
     own.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
 }
 
-/// Runs them through all methods. `done` is called after each, from any thread.
+/// Runs them through all methods. `done` is called after each, from any thread, with whether something was wrong.
 pub fn run(
     responders: &[&dyn Responder],
     shakings: &[(String, Shaking)],
-    done: impl Fn() + Sync,
+    done: impl Fn(bool) + Sync,
 ) -> (Report, Vec<Failure>) {
     let examinations: Vec<_> = shakings
         .par_iter()
         .map(|(_, shaking)| {
             let examination = examine(responders, shaking);
-            done();
+            done(!examination.findings.is_empty());
             examination
         })
         .collect();
     let mut report = Report::default();
     let mut failures = Vec::new();
     for ((name, shaking), examination) in shakings.iter().zip(examinations) {
-        report.add(&examination);
+        report.add(name, &examination);
         if !examination.findings.is_empty() {
             failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
         }

@@ -1,0 +1,93 @@
+//! The whole responses of a verification run.
+
+use std::path::Path;
+
+use chattercheck::{
+    gate::responses::{self, Failure, Report, Request, Responder},
+    responders::{self, Stepped},
+};
+use clap::Args;
+use contract::{Invalid, Oracle};
+
+use super::{
+    files::{Target, make_folder},
+    output::note,
+};
+
+#[derive(Args)]
+pub(super) struct Responses {
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        help = format!(
+            "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does]",
+            Request::DEFAULT
+        )
+    )]
+    responses: Option<usize>,
+}
+
+/// What is to be run: the methods of these oracles, and the responses.
+pub(super) struct Chosen {
+    methods: Vec<Stepped>,
+    shakings: Vec<(String, chattercheck::cases::shaking::Shaking)>,
+}
+
+impl Responses {
+    /// # Errors
+    /// When there are too many, or none of the oracles follows whole responses and some were asked for.
+    pub fn chosen(&self, panel: &[&dyn Oracle], seed: u64, partition: (usize, usize)) -> Result<Chosen, Invalid> {
+        let is_asked = |method: &Stepped| panel.iter().any(|oracle| oracle.name() == method.oracle.name());
+        let methods: Vec<Stepped> = responders::all().into_iter().filter(is_asked).collect();
+        let usual = if methods.is_empty() { 0 } else { Request::DEFAULT };
+        let responses = self.responses.unwrap_or(usual);
+        if responses > Request::MOST {
+            return Err(Invalid::new("responses", responses, "at most 1000000"));
+        }
+        if responses > 0 && methods.is_empty() {
+            let allowed = "0, as none of the oracles asked (--oracles) follows whole responses";
+            return Err(Invalid::new("responses", responses, allowed));
+        }
+        Ok(Chosen { methods, shakings: responses::shakings(&Request { responses, seed, partition }) })
+    }
+}
+
+impl Chosen {
+    pub fn len(&self) -> usize {
+        self.shakings.len()
+    }
+
+    /// Runs them; `None` where there are none.
+    pub fn run(&self, done: impl Fn(bool) + Sync) -> (Option<Report>, Vec<Failure>) {
+        if self.shakings.is_empty() {
+            return (None, Vec::new());
+        }
+        let (report, failures) = responses::run(&self.methods(), &self.shakings, done);
+        (Some(report), failures)
+    }
+
+    fn methods(&self) -> Vec<&dyn Responder> {
+        self.methods.iter().map(|method| method as &dyn Responder).collect()
+    }
+
+    /// Shrinks the first finding of a few failures, and writes each as a scene.
+    ///
+    /// # Errors
+    /// When a file can't be written.
+    pub fn write_scenes(&self, seed: u64, failures: &[Failure], folder: &Path, part: &str) -> anyhow::Result<()> {
+        for (number, failure) in (1..).zip(failures.iter().take(MOST_SCENES)) {
+            let Some(first) = failure.findings.first() else { continue };
+            let (shaking, finding) = responses::shrink(&self.methods(), &failure.shaking, first);
+            make_folder("replays", folder)?;
+            let path = folder.join(format!("response-seed-{seed}{part}-{number}.toml"));
+            let shown = path.display().to_string();
+            Target::new(&path)?.write(&responses::scene_text(failure, seed, &shaking, &finding, &shown))?;
+            note(format_args!("shrunk {}: {finding}\n  a scene that shows it: {shown}", failure.name));
+        }
+        Ok(())
+    }
+}
+
+/// How many failures are shrunk.
+const MOST_SCENES: usize = 5;
