@@ -59,8 +59,11 @@ pub struct Method {
     /// What its oracles are good for besides being compared.
     pub roles: &'static [Role],
     /// How an oracle is made from settings, of which the model is known.
-    make: fn(&Settings, Model) -> Result<Box<dyn Oracle>, Invalid>,
+    make: Make,
 }
+
+/// How an oracle is made.
+type Make = fn(&Settings, Model) -> Result<Box<dyn Oracle>, Invalid>;
 
 /// The oracle whose error is to fall with `ε`: the series to the order of the paper.
 pub const SERIES: &str = "asymptotic/paper";

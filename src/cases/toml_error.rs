@@ -208,7 +208,7 @@ mod tests {
         for field in ["omega", "impacts", "normalisation", "alpha"] {
             for value in values {
                 let told = told(&format!("{field} = {value}\na = \"x\"\neta = 0.9\n"));
-                assert!(told.starts_with(&format!("line 1: ")) || told.contains("in `a ="), "{told}");
+                assert!(told.starts_with("line 1: ") || told.contains("in `a ="), "{told}");
                 for word in [
                     "f64",
                     "i64",

@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { case: flags, oracle, digits, .. } = arguments;
     let case = flags.case(arguments.impacts.unwrap_or(64))?;
     let oracle = match oracle.asked(flags, &case, *digits)? {
-        Asked::Auto(question) => return planned(arguments, question),
+        Asked::Auto(question) => return planned(arguments, *question),
         Asked::Oracle(oracle) => oracle,
     };
     arguments.refuse_impacts(oracle.name())?;

@@ -39,7 +39,7 @@ pub(crate) struct OracleFlags {
 /// What is asked.
 pub(crate) enum Asked {
     /// The cheapest method that meets a tolerance.
-    Auto(Question),
+    Auto(Box<Question>),
     /// One oracle.
     Oracle(Box<dyn Oracle>),
 }
@@ -56,7 +56,7 @@ impl OracleFlags {
         let settings = self.settings(digits);
         let name = self.name(flags, &settings)?;
         if name == AUTO {
-            return Ok(Asked::Auto(self.question(flags, case, &settings)?));
+            return Ok(Asked::Auto(Box::new(self.question(flags, case, &settings)?)));
         }
         let model = if panel::model_of(case) == Model::Nonlinear { "nonlinear" } else { "linear" };
         let oracle = panel::one(name, &settings, model)?;

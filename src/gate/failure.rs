@@ -123,7 +123,7 @@ pub fn common(findings: &[Finding]) -> Option<&str> {
 }
 
 /// Failures by their cause, in the order in which each cause was first met.
-pub fn by_cause<'a, T>(failures: &'a [T], cause: impl Fn(&T) -> Cause) -> Vec<(Cause, Vec<&'a T>)> {
+pub fn by_cause<T>(failures: &[T], cause: impl Fn(&T) -> Cause) -> Vec<(Cause, Vec<&T>)> {
     let mut groups: Vec<(Cause, Vec<&T>)> = Vec::new();
     for failure in failures {
         let of = cause(failure);

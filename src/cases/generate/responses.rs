@@ -32,15 +32,9 @@ fn strategy() -> impl Strategy<Value = Shaking> {
     let until = prop_oneof![1 => Just(None), 1 => (0.2..6.0).prop_map(Some)];
     (a, omega, eta, alpha, phase, lasts, until).prop_filter_map(
         "a case that the contract refuses",
-        |(a, omega, eta, alpha, phase, lasts, until): (
-            f64,
-            f64,
-            f64,
-            Option<f64>,
-            Option<f64>,
-            Option<f64>,
-            Option<f64>,
-        )| {
+        |(a, omega, eta, alpha, phase, lasts, until)| {
+            let (alpha, phase): (Option<f64>, Option<f64>) = (alpha, phase);
+            let (lasts, until): (Option<f64>, Option<f64>) = (lasts, until);
             let case = Case::from_amplitude(a, omega, eta).ok()?;
             let slenderness = alpha.and_then(|alpha| Slenderness::new(alpha, Normalisation::Threshold).ok());
             let case = slenderness.map_or(case, |slenderness| case.with_slenderness(slenderness));

@@ -1,7 +1,7 @@
 //! The gate on whole responses: rest, rocking, chattering into rest, rocking again, free rocking after the shaking, overturning.
 //!
-//! Each method's response is held against two things that share nothing with it: the laws that can be read off a response and the ground alone ([`laws`]), and a
-//! plain follower with an integrator and a loop of events of its own ([`follower`]). How close it has to come follows from how far the problem itself moves
+//! Each method's response is held against two things that share nothing with it: the laws that can be read off a response and the ground alone (`laws`), and a
+//! plain follower with an integrator and a loop of events of its own (`follower`). How close it has to come follows from how far the problem itself moves
 //! when its numbers are moved a little; from where that says nothing any more, nothing is compared, and the response counts as too close to call.
 //!
 //! The gate knows methods as [`Responder`]s only; they are handed in.

@@ -157,8 +157,8 @@ impl Bout {
 
     /// Whether so little is known of its end that its time is not to be relied on.
     pub fn is_unsure(&self) -> bool {
-        // Not `>`: what is not a number is not known.
-        !(self.uncertainty() <= SURE * (self.duration - self.start))
+        let uncertainty = self.uncertainty();
+        uncertainty.is_nan() || uncertainty > SURE * (self.duration - self.start)
     }
 
     /// The name of its end in reports: `unsure` where it is not known well enough to be called by its name.
