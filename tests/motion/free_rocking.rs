@@ -13,7 +13,7 @@ use contract::{Case, Model, Normalisation, Slenderness};
 const SCENE: &str = include_str!("../../data/scenes/found/hardly_damped.toml");
 
 /// One cycle of `1.5 sin(4 τ)`, and free rocking that loses a ten thousandth of its speed at an impact: calculated once with 30 digits.
-const RESTS_AT: f64 = 20075.896946342101;
+const RESTS_AT: f64 = 20_075.896_946_342_1;
 
 fn request() -> Request {
     Scene::parse(SCENE).unwrap().response(None, Termination::Exact).unwrap()

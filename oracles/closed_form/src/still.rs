@@ -147,6 +147,7 @@ mod tests {
         assert!(time_to_rest(1.0, 0.9).is_none() && time_to_rest(f64::NAN, 0.9).is_none());
     }
 
+    #[allow(clippy::excessive_precision)] // as they came
     const REFERENCES: [(f64, f64, f64); 4] = [
         (0.5, 0.9999, 10306.581315187809695),
         (0.99, 0.9999, 24042.958681436239370),

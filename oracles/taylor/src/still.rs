@@ -165,6 +165,7 @@ mod tests {
         }
     }
 
+    #[allow(clippy::excessive_precision)] // as they came
     const REFERENCES: [(f64, f64, f64, f64); 3] = [
         (0.3, 0.9, 0.9999, 20813.924479765204234),
         (1.2, 0.5, 0.999, 1313.2805244943606768),
