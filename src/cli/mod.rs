@@ -26,6 +26,7 @@ mod simulate;
 mod tolerances;
 mod verified_responses;
 mod verify;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -34,8 +35,8 @@ use output::{Unwritten, complain};
 
 /// Differential verification of the chattering of a rocking rigid block.
 ///
-/// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong; 3 the machine failed,
-/// such as a full disk.
+/// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong; 3 there is no verdict:
+/// the machine failed, as with a full disk, or the run was interrupted.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Cli {
@@ -69,7 +70,7 @@ pub(crate) enum Status {
     Well,
     /// A check disagreed.
     Disagreed,
-    /// The machine failed, such as a full disk, where no check had disagreed.
+    /// The machine failed, as with a full disk, or the run was interrupted, before any check had disagreed.
     Failed,
 }
 

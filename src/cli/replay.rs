@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
-    let report = Report::new(&run::run(&panel, &judges, &cases, replay.seed, None, |_| ()), &panel::roles());
+    let report = Report::new(&run::run(&panel, &judges, &cases, replay.seed, None, &()), &panel::roles());
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));

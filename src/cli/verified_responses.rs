@@ -3,7 +3,10 @@
 use std::path::Path;
 
 use chattercheck::{
-    gate::responses::{self, Failure, Report, Request, Responder},
+    gate::{
+        progress::Progress,
+        responses::{self, Failure, Report, Request, Responder},
+    },
     responders::{self, Stepped},
 };
 use clap::Args;
@@ -59,11 +62,11 @@ impl Chosen {
     }
 
     /// Runs them; `None` where there are none.
-    pub fn run(&self, done: impl Fn(bool) + Sync) -> (Option<Report>, Vec<Failure>) {
+    pub fn run(&self, progress: &impl Progress) -> (Option<Report>, Vec<Failure>) {
         if self.shakings.is_empty() {
             return (None, Vec::new());
         }
-        let (report, failures) = responses::run(&self.methods(), &self.shakings, done);
+        let (report, failures) = responses::run(&self.methods(), &self.shakings, progress);
         (Some(report), failures)
     }
 
@@ -75,10 +78,21 @@ impl Chosen {
     ///
     /// # Errors
     /// When a file can't be written.
-    pub fn write_scenes(&self, seed: u64, failures: &[Failure], folder: &Path, part: &str) -> anyhow::Result<()> {
+    pub fn write_scenes(
+        &self,
+        seed: u64,
+        failures: &[Failure],
+        folder: &Path,
+        part: &str,
+        watch: &impl Progress,
+    ) -> anyhow::Result<()> {
         for (number, failure) in (1..).zip(failures.iter().take(MOST_SCENES)) {
             let Some(first) = failure.findings.first() else { continue };
-            let (shaking, finding) = responses::shrink(&self.methods(), &failure.shaking, first);
+            let (shaking, finding) = if watch.is_interrupted() {
+                (failure.shaking, first.clone())
+            } else {
+                responses::shrink(&self.methods(), &failure.shaking, first)
+            };
             make_folder("replays", folder)?;
             let path = folder.join(format!("response-seed-{seed}{part}-{number}.toml"));
             let shown = path.display().to_string();

@@ -1,23 +1,20 @@
-use std::{
-    path::{Path, PathBuf},
-    sync::atomic::{AtomicUsize, Ordering},
-};
+use std::path::{Path, PathBuf};
 
 use chattercheck::{
     gate::{
         failure::{Failure, by_cause},
         judge::Judges,
         ladder,
+        progress::Progress,
         replay::Replay,
         report::{self, Report},
         run::{self, Selection},
-        shrink::shrink,
+        shrink::{shrink, unshrunk},
     },
     panel,
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
 use super::{
@@ -28,6 +25,7 @@ use super::{
     report_files::ReportFiles,
     seed::Seed,
     verified_responses::Responses,
+    watch::Watch,
 };
 
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
@@ -86,29 +84,26 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
     let responses = arguments.responses.chosen(&panel, seed, partition)?;
-    let bar = progress((cases.len() + responses.len()) as u64, arguments.quiet);
+    let watch = Watch::start(cases.len() + responses.len(), arguments.quiet);
     let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
-    let failed = AtomicUsize::new(0);
-    let done = |is_wrong: bool| {
-        if is_wrong {
-            bar.set_message(format!(", {} failed", failed.fetch_add(1, Ordering::Relaxed) + 1));
-        }
-        bar.inc(1);
-    };
-    let run = run::run(&panel, &judges, &cases, seed, ladders, done);
-    let (of_responses, wrong_responses) = responses.run(done);
-    bar.finish_and_clear();
+    let run = run::run(&panel, &judges, &cases, seed, ladders, &watch);
+    let (of_responses, wrong_responses) = responses.run(&watch);
+    watch.end();
     let report = Report::new(&run, &panel::roles()).with_responses(of_responses);
     // First what was found: shrinking may take a while.
-    let status = if report.passes() { Status::Well } else { Status::Disagreed };
+    let status = match report.passes() {
+        true => Status::Well,
+        false if report.is_undecided() => Status::Failed,
+        false => Status::Disagreed,
+    };
     let tables = if arguments.full { format!("\n{}", report::full(&report)) } else { String::new() };
     let text = format!("{}{}{tables}", report::text(&report), next(&report, arguments.full, replays));
     let status = status.after(files.print(&text));
     let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
     let part = of_partition(partition);
-    let written = write_replays(&panel, &judges, seed, &run.failures, replays, &part);
-    if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part)) {
+    let written = write_replays(&panel, &judges, seed, &run.failures, replays, &part, &watch);
+    if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part, &watch)) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
     }
     Ok(status)
@@ -165,15 +160,6 @@ fn partition(text: &str) -> Result<(usize, usize), Invalid> {
         .ok_or_else(|| Invalid::new("partition", text, "K/N with 1 <= K <= N"))
 }
 
-fn progress(length: u64, quiet: bool) -> ProgressBar {
-    let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let bar = ProgressBar::with_draw_target(Some(length), target);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} cases, {eta} left{msg}") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
-}
-
 /// What tells the files of one share of a run from those of another.
 fn of_partition((part, parts): (usize, usize)) -> String {
     if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() }
@@ -191,6 +177,7 @@ fn write_replays(
     failures: &[Failure],
     folder: &Path,
     part: &str,
+    watch: &Watch,
 ) -> anyhow::Result<()> {
     let groups = by_cause(failures, Failure::cause);
     let chosen: Vec<&Failure> =
@@ -198,7 +185,13 @@ fn write_replays(
     let replays: Vec<Replay> = chosen
         .into_par_iter()
         .filter_map(|failure| {
-            let shrunk = shrink(panel, judges, &failure.named.case, failure.findings.first()?);
+            let (case, finding) = (&failure.named.case, failure.findings.first()?);
+            // Who has to stop has no time for it.
+            let shrunk = if watch.is_interrupted() {
+                unshrunk(panel, case, finding)
+            } else {
+                shrink(panel, judges, case, finding)
+            };
             Some(Replay::new(&shrunk, failure.named.to_string(), seed))
         })
         .collect();
@@ -209,7 +202,8 @@ fn write_replays(
         let path = folder.join(format!("seed-{seed}{part}-{number}.toml"));
         Target::new(&path)?.write(&replay.to_text()?)?;
         note(format_args!(
-            "shrunk {}: {}\n  run again: chattercheck replay {}",
+            "{} {}: {}\n  run again: chattercheck replay {}",
+            if watch.is_interrupted() { "found" } else { "shrunk" },
             replay.found_in,
             replay.finding,
             path.display()

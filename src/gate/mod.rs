@@ -13,6 +13,7 @@ pub mod judge;
 pub mod ladder;
 pub mod laws;
 pub mod pair;
+pub mod progress;
 pub mod replay;
 pub mod report;
 pub mod responses;

@@ -7,7 +7,7 @@ use crate::{
     cases::generate::{Generator, Named},
     gate::{
         examine::examine_and_judge, failure::Failure, identity::Identity, judge::Judges, ladder::Descent, pair::Pair,
-        tally::Tally,
+        progress::Progress, tally::Tally,
     },
 };
 
@@ -57,37 +57,44 @@ pub struct Run {
     pub failures: Vec<Failure>,
     /// Whether the run has to prove something by itself. One without ladders is of a few chosen cases, and has not.
     pub whole: bool,
+    /// The names of the cases that were not run because the run was interrupted.
+    pub left_out: Vec<String>,
 }
 
 /// Runs the cases through the panel, with the judge on a sample of them. A run without `ladders` is of a few chosen cases and does not have to
-/// prove anything as a whole. `done` is called after each case, from any thread, with whether something was wrong with it.
+/// prove anything as a whole.
 pub fn run(
     panel: &[&dyn Oracle],
     judges: &Judges,
     cases: &[Named],
     seed: u64,
     ladders: Option<Vec<Descent>>,
-    done: impl Fn(bool) + Sync,
+    progress: &impl Progress,
 ) -> Run {
-    let results: Vec<(Tally, Option<Failure>)> = cases
+    let results: Vec<Option<(Tally, Option<Failure>)>> = cases
         .par_iter()
         .enumerate()
         .map(|(place, named)| {
+            if progress.is_interrupted() {
+                return None;
+            }
             let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
             let failure = Failure::of(named, &examination);
-            done(failure.is_some());
-            (Tally::of(named, &examination), failure)
+            progress.done(failure.is_some());
+            Some((Tally::of(named, &examination), failure))
         })
         .collect();
     let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
     let mut tally = Tally::expecting(asked);
     let mut failures = Vec::new();
-    for (of_case, failure) in results {
+    let left_out = cases.iter().zip(&results).filter(|(_, result)| result.is_none());
+    let left_out = left_out.map(|(named, _)| named.to_string()).collect();
+    for (of_case, failure) in results.into_iter().flatten() {
         tally.add(of_case);
         failures.extend(failure);
     }
     let oracles = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
-    Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures)
+    Run { left_out, ..Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures) }
 }
 
 impl Run {
@@ -104,6 +111,16 @@ impl Run {
         let pairs = std::mem::take(&mut tally.pairs);
         let pairs = pairs.into_iter().map(|((i, j), pair)| Pair { oracles: [name(i), name(j)], ..pair }).collect();
         let whole = ladders.is_some();
-        Self { oracles, seed, handed, tally, pairs, ladders: ladders.unwrap_or_default(), failures, whole }
+        Self {
+            oracles,
+            seed,
+            handed,
+            tally,
+            pairs,
+            ladders: ladders.unwrap_or_default(),
+            failures,
+            whole,
+            left_out: Vec::new(),
+        }
     }
 }

@@ -34,6 +34,13 @@ pub enum Shortfall {
         /// What was.
         examined: Identity,
     },
+    /// The run was ended before all cases were run: what it found stands, what it would have found is not known.
+    Interrupted {
+        /// How many cases were run.
+        examined: usize,
+        /// Of how many.
+        handed: usize,
+    },
     /// An oracle gave no history at all.
     Silent {
         /// Its name.
@@ -152,6 +159,11 @@ const SEVERAL: usize = 20;
 pub fn shortfalls(run: &Run, roles: &Roles) -> (Vec<Shortfall>, Vec<NotJudged>) {
     let mut found = Found::default();
     let (handed, examined) = (run.handed, run.tally.examined);
+    if !run.left_out.is_empty() {
+        // The cases that were run are no fair sample of all: nothing is concluded from how many of them were what.
+        found.add(Some(Shortfall::Interrupted { examined: examined.cases, handed: handed.cases }));
+        return (found.shortfalls, Vec::new());
+    }
     found.add((handed != examined).then_some(Shortfall::Unaccounted { handed, examined }));
     if !run.whole {
         let nothing = run.pairs.iter().all(|pair| pair.impacts == pair.vacuous);
@@ -313,6 +325,7 @@ impl Shortfall {
             Self::Crooked { descent } => descent.oracles.iter().map(String::as_str).collect(),
             Self::Alone
             | Self::Unaccounted { .. }
+            | Self::Interrupted { .. }
             | Self::Unjudged { .. }
             | Self::NoLongerDiverges { .. }
             | Self::NothingCompared => Vec::new(),
@@ -329,6 +342,9 @@ impl fmt::Display for Shortfall {
                 "{} cases were to be run (hash {:016x}) and {} were examined (hash {:016x})",
                 handed.cases, handed.hash, examined.cases, examined.hash
             ),
+            Self::Interrupted { examined, handed } => {
+                write!(f, "interrupted after {examined} of {handed} cases: the report is partial")
+            }
             Self::Silent { oracle } => {
                 write!(f, "{oracle} answered no case: a gate where everything is declined proves nothing")
             }

@@ -25,11 +25,16 @@ pub struct Shrunk {
     pub tried: usize,
 }
 
+/// The case as it is.
+pub fn unshrunk(panel: &[&dyn Oracle], case: &Case, finding: &Finding) -> Shrunk {
+    let oracles = concerned(panel, finding).iter().map(|oracle| oracle.name().to_owned()).collect();
+    Shrunk { case: *case, finding: finding.clone(), oracles, tried: 0 }
+}
+
 /// The smallest case found that still has a finding resembling `finding`, and that finding. Smaller means: fewer impacts, no slenderness where it
 /// does not matter, and parameters with fewer digits.
 pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Finding) -> Shrunk {
     let concerned: Vec<&dyn Oracle> = concerned(panel, finding);
-    let oracles = concerned.iter().map(|oracle| oracle.name().to_owned()).collect();
     let fails = |case: &Case| {
         let examination = match finding {
             Finding::Refuted { .. } => examine_and_judge(&concerned, judges, case, true),
@@ -37,7 +42,7 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Fin
         };
         examination.findings().into_iter().find(|found| found.resembles(finding))
     };
-    let mut best = Shrunk { case: *case, finding: finding.clone(), oracles, tried: 0 };
+    let mut best = unshrunk(panel, case, finding);
     'again: while best.tried < TRIES {
         for candidate in smaller(&best.case, &best.finding) {
             if best.tried >= TRIES {

@@ -150,6 +150,59 @@ fn what_stands_in_the_way_is_said_before_the_work() {
     assert_eq!(fs::read_to_string(at("file")).unwrap(), "here");
 }
 
+/// The program in the midst of a run that takes minutes, once it can be told to stop.
+#[cfg(target_os = "linux")]
+fn in_the_midst(folder: &Path, arguments: &str) -> std::process::Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_chattercheck"));
+    command.args(arguments.split(' ')).current_dir(folder).stdin(Stdio::null());
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let catches = || {
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
+        u64::from_str_radix(mask.trim(), 16).unwrap() & (1 << (15 - 1)) != 0
+    };
+    while !catches() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    child
+}
+
+#[cfg(target_os = "linux")]
+fn signal(child: &std::process::Child, name: &str) {
+    assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_that_is_interrupted_says_what_it_found_so_far() {
+    for (name, oracles, expected) in [
+        ("-TERM", "closed-form,ode/linear/tsit45", 3),
+        ("-INT", "closed-form,ode/linear/tsit45", 3),
+        ("-TERM", "closed-form,ode/linear/tsit45/naive", 1),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let arguments =
+            format!("verify --cases 200000 --responses 1000 --quiet --oracles {oracles} --json j --junit x");
+        let child = in_the_midst(folder.path(), &arguments);
+        signal(&child, name);
+        let output = child.wait_with_output().unwrap();
+        let (stdout, stderr) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+        assert_eq!(output.status.code(), Some(expected), "{stdout}{stderr}");
+        assert!(stdout.contains("SHORTFALL: interrupted after") && stdout.contains("partial"), "{stdout}");
+        let report: serde_json::Value =
+            serde_json::from_str(&fs::read_to_string(folder.path().join("j")).unwrap()).unwrap();
+        let number = |pointer: &str| report.pointer(pointer).unwrap().as_u64().unwrap();
+        let (handed, examined) = (number("/accounted/handed/cases"), number("/accounted/examined/cases"));
+        let left_out = report["left_out"].as_array().unwrap().len() as u64;
+        assert!(examined > 0 && left_out > 0 && examined + left_out == handed, "{examined} {left_out} {handed}");
+        assert_eq!(report["shortfalls"][0]["kind"], "interrupted");
+        let xml = fs::read_to_string(folder.path().join("x")).unwrap();
+        assert_eq!(xml.matches("<skipped").count() as u64, left_out + 1000);
+        assert!(expected != 1 || fs::read_dir(folder.path().join("chattercheck-replays")).unwrap().count() > 0);
+    }
+}
+
 #[test]
 fn a_report_goes_through_links_and_to_stdout() {
     let folder = tempfile::tempdir().unwrap();

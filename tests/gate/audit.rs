@@ -113,7 +113,7 @@ pub fn junit_cases(xml: &str) -> Vec<(String, Option<String>)> {
 /// Runs the cases, and holds every report on the run against what is counted again.
 fn audit(panel: &[&dyn Oracle], judges: &Judges, cases: &[Named], green: bool) -> Report {
     let ladders = ladder::descend(panel, panel::SERIES).unwrap();
-    let run = run::run(panel, judges, cases, 3, Some(ladders), |_| ());
+    let run = run::run(panel, judges, cases, 3, Some(ladders), &());
     let report = Report::new(&run, &panel::roles());
     let again = recount(panel, judges, cases);
     let json = serde_json::to_value(&report).unwrap();
@@ -289,7 +289,7 @@ fn of_cases_that_got_lost() {
     for lost in [0, 6, all.len() - 1] {
         let mut left = all.clone();
         left.remove(lost);
-        let mut run = run::run(&honest, &judges, &left, 3, None, |_| ());
+        let mut run = run::run(&honest, &judges, &left, 3, None, &());
         run.handed = chattercheck::gate::identity::Identity::of_all(&all);
         let report = Report::new(&run, &panel::roles());
         assert!(
@@ -301,7 +301,7 @@ fn of_cases_that_got_lost() {
     // The same number, but another case.
     let mut other = all.clone();
     other[6] = other[7].clone();
-    let mut run = run::run(&honest, &judges, &other, 3, None, |_| ());
+    let mut run = run::run(&honest, &judges, &other, 3, None, &());
     run.handed = chattercheck::gate::identity::Identity::of_all(&all);
     assert!(!Report::new(&run, &panel::roles()).passes());
 }

@@ -50,7 +50,7 @@ fn claims_that_are_halved_or_doubled_are_noticed() {
     ] {
         let planted = Planted { honest: &oracles[0], plant: Plant::Answer(change), size: 1.0 };
         let panel: [&dyn Oracle; 2] = [&planted, &oracles[1]];
-        let run = run::run(&panel, &judges, &cases, 1, Some(Vec::new()), |_| ());
+        let run = run::run(&panel, &judges, &cases, 1, Some(Vec::new()), &());
         let report = Report::new(&run, &panel::roles());
         assert!(report.failures.is_empty(), "no case is wrong by itself");
         let moved = |shortfall: &Shortfall| matches!(shortfall, Shortfall::Recalibrated { oracle, .. } if oracle == "closed-form");
@@ -71,7 +71,7 @@ fn the_record_of_the_claims() {
     const SEEDS: [u64; 4] = [1, 2, 3, 4];
     let mut logarithms: BTreeMap<(String, String), f64> = BTreeMap::new();
     for seed in SEEDS {
-        let run = run::run(&oracles, &judges, &sample(seed), seed, Some(Vec::new()), |_| ());
+        let run = run::run(&oracles, &judges, &sample(seed), seed, Some(Vec::new()), &());
         for (oracle, claims) in Report::new(&run, &panel::roles()).judged.claims {
             for (observable, figure) in claims {
                 let observable = serde_json::to_value(observable).unwrap().as_str().unwrap().to_owned();

@@ -84,7 +84,7 @@ fn honest() -> &'static [Remembering] {
 
 fn run(panel: &[&dyn Oracle]) -> Report {
     let ladders = ladder::descend(panel, panel::SERIES).unwrap();
-    Report::new(&run::run(panel, &Judges::default(), cases(), 11, Some(ladders), |_| ()), &panel::roles())
+    Report::new(&run::run(panel, &Judges::default(), cases(), 11, Some(ladders), &()), &panel::roles())
 }
 
 fn planted(name: &str, ask: fn(&Case) -> Case, answer: fn(&Case, &mut History)) -> Report {
@@ -422,7 +422,7 @@ fn rest_declared_wherever_the_list_ends() {
     let case = Case::from_amplitude(1.05, 2.0, 0.92).unwrap().with_max_impacts(8).unwrap();
     let ode = panel::select(ODE).unwrap().swap_remove(0);
     let cases = [Named { generator: Generator::List, name: "short".to_owned(), case }];
-    let run = run::run(&[&faulty, ode.as_ref()], &Judges::default(), &cases, 0, None, |_| ());
+    let run = run::run(&[&faulty, ode.as_ref()], &Judges::default(), &cases, 0, None, &());
     let report = Report::new(&run, &panel::roles());
     let finding = &report.failures[0].findings[0];
     assert!(

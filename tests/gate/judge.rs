@@ -26,7 +26,7 @@ fn judged(panel: &[&dyn Oracle], cases: &[Named], whole: bool) -> Report {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let ladders = whole.then(|| ladder::descend(panel, panel::SERIES).unwrap());
-    Report::new(&run::run(panel, &judges, cases, 0, ladders, |_| ()), &panel::roles())
+    Report::new(&run::run(panel, &judges, cases, 0, ladders, &()), &panel::roles())
 }
 
 /// The closed form, tampered with, beside an honest solver.
@@ -135,7 +135,7 @@ fn only_a_sample_is_judged_unless_something_is_wrong() {
     assert!(sample > cases.len().div_ceil(7) && sample < cases.len());
     for (every, expected) in [(1, cases.len()), (7, sample)] {
         let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
-        assert_eq!(run::run(&panel, &judges, &cases, 0, None, |_| ()).tally.judged(), expected);
+        assert_eq!(run::run(&panel, &judges, &cases, 0, None, &()).tally.judged(), expected);
     }
 }
 
@@ -177,7 +177,7 @@ fn a_judge_that_says_nothing_falls_short() {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let cases = run::cases(&run::Selection { cases: 4, seed: 5, partition: (1, 8) }, panel::stepper().as_ref());
     let judges = Judges { oracles: vec![&Silent], every: 2 };
-    let report = Report::new(&run::run(&panel, &judges, &cases, 0, Some(Vec::new()), |_| ()), &panel::roles());
+    let report = Report::new(&run::run(&panel, &judges, &cases, 0, Some(Vec::new()), &()), &panel::roles());
     assert!(report.judged.asked >= cases.len() / 2 && report.judged.cases == 0);
     let silent = |shortfall: &Shortfall| matches!(shortfall, Shortfall::Unjudged { judged: 0, .. });
     assert!(report.shortfalls.iter().any(silent), "{:?}", report.shortfalls);

@@ -183,9 +183,9 @@ fn anything(_: &Wrong) -> bool {
 #[test]
 fn the_method_without_a_mistake_is_green() {
     assert!(!found(&asked(same), anything));
-    let (report, failures) = responses::run(&[&asked(same)], &shakings(), |_| ());
+    let (report, failures) = responses::run(&[&asked(same)], &shakings(), &());
     assert!(report.passes() && failures.is_empty());
-    let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), |_| ());
+    let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), &());
     assert!(!report.passes() && !failures.is_empty() && report.methods["mistaken"].wrong == failures.len());
 }
 
@@ -356,7 +356,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
     }
     let (one, two) = (other("one"), other("two"));
     let request = Request { responses: 20, seed: 1, partition: (1, 1) };
-    let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), |_| ());
+    let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), &());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
         assert_eq!(finding.agreeing, [if finding.method == "one" { "two" } else { "one" }]);
@@ -369,7 +369,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
     let request = Request { responses: 40, seed: 1, partition: (1, 1) };
-    let (_, failures) = responses::run(&[&method], &responses::shakings(&request), |_| ());
+    let (_, failures) = responses::run(&[&method], &responses::shakings(&request), &());
     let failure = &failures[0];
     let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);
     assert!(finding.wrong.resembles(&failure.findings[0].wrong));
@@ -393,11 +393,11 @@ fn a_wrong_response_is_in_every_report() {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let cases = [run::cases(&Selection { cases: 0, seed: 1, partition: (1, 1) }, panel[0]).swap_remove(0)];
     let judges = Judges { oracles: Vec::new(), every: 1 };
-    let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, |_| ()), &panel::roles());
+    let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, &()), &panel::roles());
     assert!(green().passes());
-    let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], |_| ());
+    let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], &());
     assert!(green().with_responses(Some(all_well)).passes());
-    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings()[..20], |_| ());
+    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings()[..20], &());
     let names: Vec<&str> = failures.iter().map(|failure| failure.name.as_str()).collect();
     let report = green().with_responses(Some(wrong));
     assert!(!report.passes() && !names.is_empty());

@@ -9,7 +9,7 @@ use contract::{Case, Model, Normalisation, Slenderness};
 use crate::effort::pick;
 
 fn run(responders: &[&dyn Responder], request: &Request) -> (Report, Vec<responses::Failure>) {
-    responses::run(responders, &responses::shakings(request), |_| ())
+    responses::run(responders, &responses::shakings(request), &())
 }
 
 fn request(responses: usize) -> Request {

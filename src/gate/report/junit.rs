@@ -1,5 +1,7 @@
 //! The report as JUnit XML: one test case for each case that was run, so that a CI shows which failed.
 
+use std::collections::HashSet;
+
 use quick_junit::{NonSuccessKind, Report as Xml, TestCase, TestCaseStatus, TestSuite};
 
 use super::{FailedCase, Report, failure_text};
@@ -12,10 +14,15 @@ use crate::{cases::generate::Named, gate::responses};
 pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::SerializeError> {
     let mut xml = Xml::new("chattercheck");
     let mut suite = TestSuite::new("verify");
+    let left_out: HashSet<&String> = report.left_out.iter().collect();
     for named in cases {
         let name = named.to_string();
-        let failure = report.failures.iter().find(|failure| failure.name == name);
-        suite.add_test_case(TestCase::new(name, failure.map_or_else(TestCaseStatus::success, failed)));
+        let status = match report.failures.iter().find(|failure| failure.name == name) {
+            Some(failure) => failed(failure),
+            None if left_out.contains(&name) => TestCaseStatus::skipped(),
+            None => TestCaseStatus::success(),
+        };
+        suite.add_test_case(TestCase::new(name, status));
     }
     xml.add_test_suite(suite);
     if let Some(of) = &report.responses {
@@ -45,6 +52,9 @@ fn suite_of_responses(report: &responses::Report) -> TestSuite {
         let failed = report.failures.iter().find(|failed| failed.name == *name);
         let status = failed.map_or_else(TestCaseStatus::success, |failed| failure(failed.text()));
         suite.add_test_case(TestCase::new(name.clone(), status));
+    }
+    for name in &report.left_out {
+        suite.add_test_case(TestCase::new(name.clone(), TestCaseStatus::skipped()));
     }
     let short = Some(report.shortfalls.join("\n")).filter(|said| !said.is_empty());
     let status = short.map_or_else(TestCaseStatus::success, failure);

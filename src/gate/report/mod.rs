@@ -44,6 +44,9 @@ pub struct Report {
     pub oracles: Vec<String>,
     /// Which cases were to be run, and which were.
     pub accounted: Accounted,
+    /// The cases that were not run because the run was interrupted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
     /// What was exercised.
     pub reach: Reach,
     /// How often each oracle declined, by reason.
@@ -157,6 +160,7 @@ impl Report {
             seed: run.seed,
             oracles: run.oracles.clone(),
             accounted: Accounted { handed: run.handed, examined: tally.examined },
+            left_out: run.left_out.clone(),
             reach: tally.reach.clone(),
             declines: tally.declines.clone(),
             pairs: run.pairs.clone(),
@@ -182,6 +186,16 @@ impl Report {
     /// Whether nothing was wrong.
     pub fn passes(&self) -> bool {
         self.verdict == Verdict::Pass
+    }
+
+    /// Whether nothing was wrong as far as the run came, but it was interrupted: there is no verdict.
+    pub fn is_undecided(&self) -> bool {
+        let is_interrupted = |shortfall| matches!(shortfall, &Shortfall::Interrupted { .. });
+        let responses = self.responses.as_ref();
+        self.failures.is_empty()
+            && self.shortfalls.iter().all(is_interrupted)
+            && responses.is_none_or(|of| of.failures.is_empty() && (of.passes() || !of.left_out.is_empty()))
+            && !self.passes()
     }
 }
 

@@ -119,7 +119,10 @@ impl Reach {
 pub struct Report {
     /// Which responses, in order.
     pub names: Vec<String>,
-    /// How many.
+    /// Those that were not run because the run was interrupted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
+    /// How many were run.
     pub responses: usize,
     /// Of them, in how many it is too close to call what happens from some time on.
     pub too_close: usize,
@@ -204,6 +207,11 @@ impl Report {
     /// With the failures, and what the run as a whole fails to prove.
     pub(super) fn concluded(mut self, failures: &[Failure]) -> Self {
         self.failures = failures.iter().map(Failed::from).collect();
+        if !self.left_out.is_empty() {
+            let all = self.responses + self.left_out.len();
+            self.shortfalls = vec![format!("interrupted after {} of {all} responses", self.responses)];
+            return self;
+        }
         let all = self.responses;
         let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
         let mut shortfalls = Vec::new();

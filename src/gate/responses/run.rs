@@ -7,7 +7,10 @@ use super::{
     report::Report,
     whole::Responder,
 };
-use crate::cases::{generate, shaking::Shaking};
+use crate::{
+    cases::{generate, shaking::Shaking},
+    gate::progress::Progress,
+};
 
 /// What responses a run is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,23 +49,30 @@ pub fn shakings(request: &Request) -> Vec<(String, Shaking)> {
     own.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
 }
 
-/// Runs them through all methods. `done` is called after each, from any thread, with whether something was wrong.
+/// Runs them through all methods.
 pub fn run(
     responders: &[&dyn Responder],
     shakings: &[(String, Shaking)],
-    done: impl Fn(bool) + Sync,
+    progress: &impl Progress,
 ) -> (Report, Vec<Failure>) {
     let examinations: Vec<_> = shakings
         .par_iter()
         .map(|(_, shaking)| {
+            if progress.is_interrupted() {
+                return None;
+            }
             let examination = examine(responders, shaking);
-            done(!examination.findings.is_empty());
-            examination
+            progress.done(!examination.findings.is_empty());
+            Some(examination)
         })
         .collect();
     let mut report = Report::default();
     let mut failures = Vec::new();
     for ((name, shaking), examination) in shakings.iter().zip(examinations) {
+        let Some(examination) = examination else {
+            report.left_out.push(name.clone());
+            continue;
+        };
         report.add(name, &examination);
         if !examination.findings.is_empty() {
             failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
