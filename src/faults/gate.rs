@@ -41,12 +41,12 @@ pub struct Evidence {
 }
 
 /// How many random cases there are, and of which share of the other generators.
-const RANDOM: usize = 40;
+const RANDOM: usize = 48;
 const EVERY: [(Generator, usize); 4] =
     [(Generator::List, 1), (Generator::Spaced, 5), (Generator::Random, 1), (Generator::Edge, 7)];
 
 impl Gate {
-    /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 40 random ones.
+    /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 48 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
         let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) }, panel::stepper().as_ref());
         let of = |(generator, every)| {

@@ -91,26 +91,31 @@ fn exercised(report: &Report) -> Vec<String> {
         format!("  histories    {}", list(endings)),
         format!("  impacts      {}{deepest}", reach.impacts),
     ];
-    if report.judged.asked > 0 {
-        lines.push(format!("  judged       {} cases by proven enclosures", report.judged.cases));
-    }
+    let judged = report.judged.asked > 0;
+    let judged = judged.then(|| format!("{} cases by proven enclosures", report.judged.cases));
     let held = report.ladders.iter().filter(|descent| Descent::holds(descent)).count();
-    if !report.ladders.is_empty() {
-        lines.push(format!("  ladders      {held} of {} fall at the order of theory", report.ladders.len()));
+    let ladders = !report.ladders.is_empty();
+    let ladders = ladders.then(|| format!("{held} of {} ladders fall at the order of theory", report.ladders.len()));
+    if judged.is_some() || ladders.is_some() {
+        lines.push(format!("  judged       {}", list(judged.into_iter().chain(ladders))));
     }
     lines
 }
 
-/// The comparisons that came nearest to failing, one for each observable.
+/// How many observables are shown with the comparison that came nearest to failing.
+const NARROWEST: usize = 3;
+
+/// The comparisons that came nearest to failing, one for an observable; `--full` has all pairs.
 fn margins(report: &Report) -> Vec<String> {
+    let worst = |observable: Observable| {
+        let all = report.pairs.iter().filter_map(|pair| Some((observable, pair, pair.worst.get(&observable)?)));
+        all.max_by(|(.., one), (.., two)| one.share.total_cmp(&two.share))
+    };
+    let observables = Observable::OF_AN_IMPACT.into_iter().chain([Observable::ChatteringTime]);
+    let mut narrowest: Vec<_> = observables.filter_map(worst).collect();
+    narrowest.sort_by(|(.., one), (.., two)| two.share.total_cmp(&one.share));
     let mut lines = Vec::new();
-    for observable in Observable::OF_AN_IMPACT.into_iter().chain([Observable::ChatteringTime]) {
-        let worst = report
-            .pairs
-            .iter()
-            .filter_map(|pair| Some((pair, pair.worst.get(&observable)?)))
-            .max_by(|(_, one), (_, two)| one.share.total_cmp(&two.share));
-        let Some((pair, WorstFigure { figure, share, case })) = worst else { continue };
+    for (observable, pair, WorstFigure { figure, share, case }) in narrowest.into_iter().take(NARROWEST) {
         let [one, two] = &pair.oracles;
         let at = if figure.impact > 0 { format!(", impact {}", figure.impact) } else { String::new() };
         let head = if lines.is_empty() { "narrowest" } else { "" };
@@ -134,11 +139,16 @@ fn left_out(report: &Report) -> Vec<String> {
         let head = if lines.iter().any(|line: &String| line.starts_with(&format!("  {head}"))) { "" } else { head };
         lines.push(format!("  {head:12} {said}"));
     };
+    let mut declined: Vec<(String, Vec<&str>)> = Vec::new();
     for (oracle, reasons) in &report.declines {
-        add(
-            "declined",
-            format!("{oracle}: {}", list(reasons.iter().map(|(reason, count)| format!("{count} {reason}")))),
-        );
+        let reasons = list(reasons.iter().map(|(reason, count)| format!("{count} {reason}")));
+        match declined.iter_mut().find(|(known, _)| *known == reasons) {
+            Some((_, oracles)) => oracles.push(oracle),
+            None => declined.push((reasons, vec![oracle])),
+        }
+    }
+    for (reasons, oracles) in declined {
+        add("declined", format!("{}: {reasons}", oracles.join(" and ")));
     }
     let close = report.pairs.iter().map(|pair| pair.too_close).sum::<usize>();
     if close > 0 {

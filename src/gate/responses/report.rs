@@ -267,8 +267,6 @@ const SHOWN: usize = 5;
 /// What was exercised, in lines of a head and what is said.
 pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
     let Report { responses, too_close, reach, methods, .. } = report;
-    let reached: Vec<String> = reach.iter().map(|(reach, count)| format!("{count} {}", reach.name())).collect();
-    let reached = reached.chunks(4).map(|few| ("", few.join(", ")));
     let (bouts, impacts) =
         methods.values().fold((0, 0), |(bouts, impacts), method| (bouts + method.bouts, impacts + method.impacts));
     let mut lines = vec![(
@@ -278,10 +276,13 @@ pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
             methods.len()
         ),
     )];
-    lines.extend(reached);
     if let Some((name, method)) = methods.iter().max_by(|(_, one), (_, two)| one.used.total_cmp(&two.used)) {
         let used = 100.0 * method.used;
-        lines.push(("", format!("{used:.0} % of what is allowed at the most: {name}; {too_close} too close to call")));
+        let kinds = format!("{} of {} kinds of response", reach.len(), Reach::ALL.len());
+        lines.push((
+            "",
+            format!("{kinds}; {used:.0} % of what is allowed at the most: {name}; {too_close} too close to call"),
+        ));
     }
     lines
 }
@@ -295,7 +296,7 @@ pub fn failures_text(report: &Report) -> String {
     shortfalls.chain(failures).chain(more).collect()
 }
 
-/// Every method in a line.
+/// Every kind of response, and every method, in a line.
 pub fn methods_text(report: &Report) -> String {
     let line = |(name, method): (&String, &Method)| {
         let Method { answered, declined, bouts, impacts, rows, wrong, used } = method;
@@ -304,7 +305,9 @@ pub fn methods_text(report: &Report) -> String {
             "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used\n"
         )
     };
-    report.methods.iter().map(line).collect()
+    let reached = report.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name()));
+    let reached = format!("responses of each kind: {}\n", reached.collect::<Vec<_>>().join(", "));
+    std::iter::once(reached).chain(report.methods.iter().map(line)).collect()
 }
 
 impl Failed {
