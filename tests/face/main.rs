@@ -9,6 +9,7 @@ mod options;
 mod pages;
 mod readme;
 mod record;
+mod rooms;
 mod surroundings;
 
 #[path = "../effort/mod.rs"]

@@ -7,8 +7,8 @@ use contract::Model;
 use super::{
     compare::{self, Difference},
     laws::{self, Law},
+    reach::Reach,
     reference::Reference,
-    report::Reach,
     whole::{Responder, Whole},
 };
 use crate::cases::shaking::Shaking;

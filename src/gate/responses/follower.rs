@@ -3,8 +3,8 @@
 
 use super::{
     ground::Problem,
+    knot::Knot,
     landing::{self, Advance},
-    stepping::step,
     whole::{Bout, Impact, Outcome},
 };
 
@@ -28,14 +28,6 @@ pub(super) struct Followed {
     pub falls: bool,
     /// Of each bout, the states from which any other is found.
     tracks: Vec<Vec<Knot>>,
-}
-
-/// The state at the start of a step: the sign of the rotation, and how far and how fast away from the base.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Knot {
-    pub time: f64,
-    pub side: f64,
-    pub state: (f64, f64),
 }
 
 /// Follows the block from rest.
@@ -93,21 +85,6 @@ fn falls(problem: &Problem, mut knot: Knot) -> bool {
 /// The step that does not pass the moment at which the ground comes to rest.
 fn until_change(problem: &Problem, time: f64) -> f64 {
     if time < problem.lasts { problem.lasts - time } else { f64::INFINITY }
-}
-
-impl Knot {
-    /// How fast the rotation away from the base accelerates, `s` later, with the ground as it is now.
-    pub fn acceleration(&self, problem: &Problem, s: f64, u: f64) -> f64 {
-        let ground = if self.time < problem.lasts { problem.shaken(self.time + s) } else { 0.0 };
-        self.side * problem.acceleration(self.side, ground, self.side * u)
-    }
-
-    /// The state `h` later.
-    pub fn advanced(&self, problem: &Problem, h: f64) -> Self {
-        let state = step(|s, u| self.acceleration(problem, s, u), self.state, h);
-        let passes = self.time < problem.lasts && h >= problem.lasts - self.time;
-        Self { time: if passes { problem.lasts } else { self.time + h }, state, ..*self }
-    }
 }
 
 /// A bout in the making.

@@ -1,6 +1,6 @@
 //! One step of a flight, so short that the block can't land and leave again unseen within it; and where it lands.
 
-use super::{follower::Knot, ground::Problem};
+use super::{ground::Problem, knot::Knot};
 
 /// Newton's method, held in a bracket, needs a handful.
 const MOST_ITERATIONS: usize = 100;

@@ -8,10 +8,13 @@
 
 mod compare;
 mod examine;
+mod failure;
 mod follower;
 mod ground;
+mod knot;
 mod landing;
 mod laws;
+mod reach;
 mod reference;
 mod report;
 mod run;
@@ -22,9 +25,11 @@ mod whole;
 
 pub use compare::{Difference, What};
 pub use examine::{Examination, Finding, Wrong, examine};
+pub use failure::Failure;
 pub use laws::Law;
-pub use report::{Failed, Method, Reach, Report, exercised, failures_text, methods_text};
-pub use run::{Failure, Request, run, shakings};
+pub use reach::Reach;
+pub use report::{Failed, Method, Report, exercised, failures_text, methods_text};
+pub use run::{Request, run, shakings};
 pub use scene::scene_text;
 pub use shrink::shrink;
 pub use whole::{Bout, Impact, Outcome, Responder, Row, State, Whole};

@@ -2,11 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{
-    examine::{Finding, examine},
-    report::Report,
-    whole::Responder,
-};
+use super::{examine::examine, failure::Failure, report::Report, whole::Responder};
 use crate::{
     cases::{generate, shaking::Shaking},
     gate::progress::Progress,
@@ -28,17 +24,6 @@ impl Request {
     pub const DEFAULT: usize = 200;
     /// How many it may be asked for.
     pub const MOST: usize = 1_000_000;
-}
-
-/// A response in which something was wrong.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failure {
-    /// Its name, as in `response/17`.
-    pub name: String,
-    /// What was asked.
-    pub shaking: Shaking,
-    /// What was wrong.
-    pub findings: Vec<Finding>,
 }
 
 /// The responses of a run, by name and in order.

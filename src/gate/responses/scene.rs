@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use contract::Model;
 
-use super::{examine::Finding, run::Failure};
+use super::{examine::Finding, failure::Failure};
 use crate::cases::shaking::Shaking;
 
 /// The slenderness of a block that is slender anyway; any will do.

@@ -7,8 +7,8 @@
 use std::fmt::{self, Display, Write as _};
 
 use super::{
+    colour::{BLACK, Colour, WHITE},
     geometry::{Place, Rect},
-    palette::{BLACK, Colour, WHITE},
     text::{self, Level, Piece},
 };
 

@@ -1,6 +1,6 @@
 //! Colours of values: viridis, even to the eye and safe for the colour-blind.
 
-use super::palette::Colour;
+use super::colour::Colour;
 
 /// Viridis (matplotlib, CC0) at every tenth.
 const VIRIDIS: [[u8; 3]; 11] = [

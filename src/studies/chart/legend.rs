@@ -3,9 +3,10 @@
 use super::{
     Draw,
     canvas::{Anchor, Canvas},
+    colour::DARK,
     geometry::Rect,
     marker::Shape,
-    palette::{DARK, Ink},
+    palette::Ink,
     stroke, text,
 };
 

@@ -2,8 +2,8 @@
 
 use super::{
     canvas::{Canvas, Stroke},
+    colour::{Colour, WHITE},
     geometry::Place,
-    palette::{Colour, WHITE},
 };
 
 /// From the middle of an arrow to its tip.

@@ -35,6 +35,7 @@
 mod axis;
 mod canvas;
 mod caption;
+mod colour;
 mod colour_bar;
 mod colour_map;
 mod error;

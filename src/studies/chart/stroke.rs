@@ -4,9 +4,10 @@ use super::{
     Draw, Scale, Series,
     axis::Span,
     canvas::{Canvas, Stroke},
+    colour::{GREY, PALE, WHITE},
     geometry::{Place, Rect},
     marker::{ARROW, Shape},
-    palette::{GREY, Ink, LINE, PALE, WHITE},
+    palette::{Ink, LINE},
 };
 
 /// Markers on a line are thinned if there are more points than this,
