@@ -12,8 +12,8 @@ use std::{hint::black_box, time::Instant};
 
 use chattercheck::{
     measure::asking::ask,
-    motion::plan::{Method, Outcome, Plan, Question, evidence},
     panel::{self, Settings},
+    plan::{Method, Outcome, Plan, Question, evidence},
 };
 use contract::{Case, Ending, Model};
 

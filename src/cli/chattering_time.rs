@@ -1,11 +1,9 @@
 use anyhow::{anyhow, bail};
 use chattercheck::{
     measure::{excitation::half_period, observables::Observed},
-    motion::{
-        plan::{Outcome, Plan, Question},
-        response::{Bout, BoutEnd},
-    },
+    motion::response::{Bout, BoutEnd},
     panel::{self, Method, Proven, Refused, Role},
+    plan::{Outcome, Plan, Question},
 };
 use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle};

@@ -2,8 +2,8 @@
 
 use anyhow::bail;
 use chattercheck::{
-    motion::plan::Question,
     panel::{self, Method, Refused, Role, Setting, Settings},
+    plan::Question,
 };
 use clap::Args;
 use contract::{Case, Invalid, Model, Normalisation, Oracle, Slenderness};

@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use anyhow::bail;
-use chattercheck::motion::plan::{Answer, Candidate, Errors, Outcome, Plan, Question};
+use chattercheck::plan::{Answer, Candidate, Errors, Outcome, Plan, Question};
 use clap::Args;
 use contract::Invalid;
 use serde::Serialize;

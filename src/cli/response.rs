@@ -1,12 +1,16 @@
 use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
-use chattercheck::motion::{
-    response::{Bout, BoutEnd, Condition, Request, Response, Termination, Window},
-    scene::Scene,
+use chattercheck::{
+    motion::{
+        response::{Bout, BoutEnd, Request, Response, Termination, Window},
+        scene::Scene,
+    },
+    panel,
+    studies::chattering_threshold::{Condition, chattering_threshold},
 };
 use clap::{Args, ValueEnum};
-use contract::{Invalid, Model};
+use contract::{Case, Invalid, Model};
 use serde::Serialize;
 
 use super::{
@@ -124,8 +128,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         };
     }
     arguments.check()?;
-    let request = scene.response(arguments.until, arguments.termination()?)?;
-    let oracle = scene.stepper();
+    let request = scene.response(arguments.until, Termination::Exact)?;
+    let request = Request { termination: arguments.termination(&request.case)?.check()?, ..request };
+    let oracle = panel::stepper_of(scene.ask.model);
     let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
     let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
     match arguments.format {
@@ -146,7 +151,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 }
 
 impl Arguments {
-    fn termination(&self) -> anyhow::Result<Termination> {
+    fn termination(&self, case: &Case) -> anyhow::Result<Termination> {
         ensure!(
             self.velocity_threshold.is_none() || self.termination == Scheme::Velocity,
             Invalid::new(
@@ -162,10 +167,13 @@ impl Arguments {
         }
         Ok(match self.termination {
             Scheme::Exact => Termination::Exact,
-            Scheme::Chattering => Termination::ChatteringThreshold(match self.condition.unwrap_or(Fit::Eq76) {
-                Fit::Eq76 => Condition::Eq76,
-                Fit::Eq77 => Condition::Eq77,
-            }),
+            Scheme::Chattering => {
+                let condition = match self.condition.unwrap_or(Fit::Eq76) {
+                    Fit::Eq76 => Condition::Eq76,
+                    Fit::Eq77 => Condition::Eq77,
+                };
+                chattering_threshold(case, condition)
+            }
             Scheme::Velocity => Termination::VelocityThreshold(self.velocity_threshold.ok_or_else(|| {
                 Invalid::new("velocity-threshold", "none", "a speed above 0 (in p alpha), with --termination velocity")
             })?),

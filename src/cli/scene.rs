@@ -4,6 +4,7 @@ use anyhow::anyhow;
 use chattercheck::{
     measure::critical,
     motion::scene::{self, Answers},
+    panel,
 };
 use clap::Args;
 use contract::{Case, Model};
@@ -60,7 +61,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.as_deref().ok_or_else(|| anyhow!("no scene file"))?;
     let scene = read_scene(path)?;
     let case: Case = scene.case()?;
-    let answers = scene.answers()?;
+    let answers = scene.answers(panel::stepper_of(scene.ask.model).as_ref())?;
     let answer = Answer {
         title: scene.title.clone(),
         case: CaseFacts::of(&case),

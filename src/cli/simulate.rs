@@ -1,7 +1,8 @@
 use anyhow::anyhow;
 use chattercheck::{
-    motion::{plan::Question, response::BoutEnd},
+    motion::response::BoutEnd,
     panel::{self, Method, Refused, Setting},
+    plan::Question,
 };
 use clap::{Args, ValueEnum};
 use contract::{Case, Ending, History, Impact, Limit, Oracle, Uncertainty};

@@ -2,6 +2,7 @@
 
 pub mod atlas;
 pub mod chart;
+pub mod chattering_threshold;
 pub mod diagnose;
 pub mod paper;
 pub mod plan_map;

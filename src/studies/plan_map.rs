@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     measure::critical,
-    motion::plan::{Plan, Question},
+    plan::{Plan, Question},
     studies::{
         chart::{self, Axis, Chart, Draw, LineChart, Mark, Panel, Point, Series, Table},
         diagnose::spread,

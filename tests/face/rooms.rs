@@ -21,10 +21,12 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("motion", &["cases", "measure"]),
     // The one table of the methods, and what they are good for.
     ("panel", &["gate", "measure", "motion"]),
+    // Which method of the panel a scene needs.
+    ("plan", &["measure", "motion", "panel"]),
     ("responders", &["cases", "gate", "measure", "motion", "panel"]),
     // The gate's own test plants faults in the panel.
     ("faults", &["cases", "gate", "measure", "panel"]),
-    ("studies", &["cases", "faults", "gate", "measure", "motion", "panel", "responders"]),
+    ("studies", &["cases", "faults", "gate", "measure", "motion", "panel", "plan", "responders"]),
     ("guide", &[]),
 ];
 

@@ -112,7 +112,7 @@ fn a_block_that_overturns_ends_on_its_side() {
             let mut scene = Scene::parse(&text.replace("g = 2", &format!("g = {g}"))).unwrap();
             scene.ask.model = model;
             let request = scene.response(None, Termination::Exact).unwrap();
-            let (response, rows) = rows(scene.stepper().as_ref(), &request);
+            let (response, rows) = rows(panel::stepper_of(scene.ask.model).as_ref(), &request);
             let flat = FRAC_PI_2 / scene.block.slenderness;
             assert!(rows.iter().all(|row| row.phi.abs() <= flat * (1.0 + 1e-12)), "{g} {model:?}");
             let [.., before, last] = &rows[..] else { panic!() };

@@ -3,11 +3,9 @@
 use crate::effort::pick;
 use chattercheck::{
     measure::{asking::ask, critical},
-    motion::{
-        linearisation::{Flights, Linearisation},
-        plan::{Found, Method, Outcome, Place, Plan, evidence, step},
-    },
+    motion::linearisation::{Flights, Linearisation},
     panel,
+    plan::{Found, Method, Outcome, Place, Plan, evidence, step},
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{

@@ -6,10 +6,11 @@ use approx::assert_relative_eq;
 use assert_cmd::Command;
 use chattercheck::{
     motion::{
-        response::{BoutEnd, Condition, Request, Response, Sample, State, Termination, Window},
+        response::{BoutEnd, Request, Response, Sample, State, Termination, Window},
         scene::Scene,
     },
     panel::{self, Settings},
+    studies::chattering_threshold::{Condition, chattering_threshold},
 };
 use contract::{Arrival, Case, Ground, Horizon, Normalisation, Oracle, Slenderness};
 use proptest::{prelude::*, test_runner::RngSeed};
@@ -319,10 +320,10 @@ fn the_schemes_of_section_5_2() {
     let of = |epsilon: f64, termination| {
         respond(oracle.as_ref(), &Request { termination, ..request(epsilon, 2.0, 0.92, 2.5) })
     };
-    let chattering = Termination::ChatteringThreshold(Condition::Eq76);
+    let chattering = |epsilon| chattering_threshold(&request(epsilon, 2.0, 0.92, 2.5).case, Condition::Eq76);
     // Fig. 10
     let (exact, slow, series) =
-        (of(0.03, Termination::Exact), of(0.03, Termination::VelocityThreshold(5e-10)), of(0.03, chattering));
+        (of(0.03, Termination::Exact), of(0.03, Termination::VelocityThreshold(5e-10)), of(0.03, chattering(0.03)));
     for response in [&exact, &slow, &series] {
         assert_eq!(response.bouts.len(), 5);
     }
@@ -337,7 +338,7 @@ fn the_schemes_of_section_5_2() {
         of(0.05, Termination::Exact),
         of(0.05, Termination::VelocityThreshold(5e-10)),
         of(0.05, Termination::VelocityThreshold(5e-2)),
-        of(0.05, chattering),
+        of(0.05, chattering(0.05)),
     );
     assert_eq!(exact.bouts.len(), 1);
     assert_eq!(exact.bouts, series.bouts, "the chattering threshold does not apply above a_cr");
@@ -351,8 +352,9 @@ fn the_schemes_of_section_5_2() {
 fn a_chattering_threshold_that_comes_too_late_does_not_stall() {
     let oracle = oracle("closed-form");
     // Near the threshold Eq. 65 is too late.
-    let termination = Termination::ChatteringThreshold(Condition::Eq77);
-    let response = respond(oracle.as_ref(), &Request { termination, ..request(0.005, 2.0, 0.92, 1.0) });
+    let request = request(0.005, 2.0, 0.92, 1.0);
+    let termination = chattering_threshold(&request.case, Condition::Eq77);
+    let response = respond(oracle.as_ref(), &Request { termination, ..request });
     assert!(
         response.bouts.iter().all(|bout| matches!(bout.outcome, BoutEnd::Complete { .. })),
         "{:?}",

@@ -168,7 +168,7 @@ fn the_rows_of_fig_9_are_in_order() {
     let scene = chattercheck::motion::scene::Scene::parse(include_str!("../../data/scenes/paper_fig_9.toml")).unwrap();
     let request = scene.response(None, chattercheck::motion::response::Termination::Exact).unwrap();
     for steps in [200, 1000, 20_000] {
-        let (response, rows) = rows(scene.stepper().as_ref(), &request, steps);
+        let (response, rows) = rows(panel::stepper_of(scene.ask.model).as_ref(), &request, steps);
         assert!(rows.windows(2).all(|two| two[0].tau <= two[1].tau));
         assert!(response.bouts.iter().all(|bout| matches!(bout.outcome, BoutEnd::Complete { .. })));
         let times: Vec<f64> = response.bouts.iter().flat_map(Bout::impact_times).collect();

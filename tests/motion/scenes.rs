@@ -2,7 +2,10 @@
 
 use approx::assert_relative_eq;
 use assert_cmd::Command;
-use chattercheck::motion::scene::{Scene, schema};
+use chattercheck::{
+    motion::scene::{AnswerError, Answers, Scene, schema},
+    panel,
+};
 use contract::Normalisation;
 use serde_json::Value;
 
@@ -11,6 +14,10 @@ const GROUND: &str = "[ground]\namplitude = { g = 0.19 }\nfrequency = { hz = 1.5
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap()
+}
+
+fn answers(scene: &Scene) -> Result<Answers, AnswerError> {
+    scene.answers(panel::stepper_of(scene.ask.model).as_ref())
 }
 
 fn error(text: &str) -> String {
@@ -78,7 +85,7 @@ fn rocking_begins_when_the_ground_first_reaches_the_threshold() {
             "{BLOCK}[ground]\namplitude = {{ over-threshold = 1.2 }}\nfrequency = {{ hz = 2 }}\nphase = {phase:?}\n"
         );
         let ground = |time: f64| 1.2 * (std::f64::consts::TAU * 2.0 * time + phase).sin();
-        let time = scene(&text).answers().unwrap().initiation.unwrap();
+        let time = answers(&scene(&text)).unwrap().initiation.unwrap();
         if ground(0.0).abs() > 1.0 {
             assert_eq!(time, 0.0);
             continue;
@@ -88,11 +95,11 @@ fn rocking_begins_when_the_ground_first_reaches_the_threshold() {
         assert!((0..1000).all(|k| ground(time * f64::from(k) / 1000.0).abs() <= 1.0 + 1e-12), "{phase}: not the first");
     }
     let weak = format!("{BLOCK}[ground]\namplitude = {{ over-threshold = 0.99 }}\nfrequency = {{ hz = 2 }}\n");
-    assert_eq!(scene(&weak).answers().unwrap().initiation, None);
+    assert_eq!(answers(&scene(&weak)).unwrap().initiation, None);
     let short = format!(
         "{BLOCK}[ground]\namplitude = {{ over-threshold = 1.2 }}\nfrequency = {{ hz = 2 }}\nphase = 0.0\nduration = {{ seconds = 0.01 }}\n"
     );
-    assert_eq!(scene(&short).answers().unwrap().initiation, None, "it ends before the threshold");
+    assert_eq!(answers(&scene(&short)).unwrap().initiation, None, "it ends before the threshold");
 }
 
 /// Each thing that is asked is answered, in seconds, and what is not asked is not.
@@ -103,7 +110,7 @@ fn what_is_asked_is_answered() {
             "{BLOCK}{GROUND}duration = {{ cycles = 3 }}\n[ask]\nwhat = [{what}]\nimpacts = 7\ntolerance = 1e-9\n"
         );
         let scene = scene(&text);
-        (scene.answers().unwrap(), scene)
+        (answers(&scene).unwrap(), scene)
     };
     let (answers, scene) = ask("\"chattering-time\", \"impact-times\", \"rest-periods\", \"response\"");
     let chattering = answers.chattering_time.unwrap();

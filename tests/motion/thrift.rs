@@ -2,7 +2,7 @@
 
 use chattercheck::{
     measure::zeno,
-    motion::plan::{Method, Plan, Question, evidence},
+    plan::{Method, Plan, Question, evidence},
 };
 use closed_form::ClosedForm;
 use contract::{Case, Ending, History, Model, Oracle};

@@ -18,7 +18,7 @@ use contract::{Arrival, Case, Decline, Invalid, Loss, Oracle};
 pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
 pub use sample::{Sample, State, Window};
-pub use termination::{Condition, Termination};
+pub use termination::Termination;
 
 /// A motion of the ground, and how far the block is followed. All times are `τ`, from the start of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use super::{
     fall::{Fall, Fallen},
     lobes::{Lobe, Lobes},
     tail::Tail,
-    termination::Rule,
+    termination::Termination,
 };
 use crate::motion::walk::Walk;
 
@@ -20,7 +20,7 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
         solver,
         eta: request.case.eta(),
         half_period: lobes.half_period(),
-        rule: request.termination.rule(&request.case),
+        termination: request.termination,
         fall: Fall::new(solver, &request.case, request.lies_at),
         lasts: request.lasts.unwrap_or(f64::INFINITY),
         until: request.until,
@@ -62,7 +62,7 @@ struct Runner<'a> {
     solver: &'a dyn FlightSolver,
     eta: f64,
     half_period: f64,
-    rule: Rule,
+    termination: Termination,
     fall: Fall<'a>,
     lasts: f64,
     until: f64,
@@ -131,15 +131,15 @@ impl Runner<'_> {
         interval: f64,
         now: f64,
     ) -> Option<(BoutEnd, f64)> {
-        match self.rule {
-            Rule::Speed(threshold) => {
+        match self.termination {
+            Termination::VelocityThreshold(threshold) => {
                 return (departure.velocity <= threshold).then_some((BoutEnd::VelocityThreshold, now));
             }
             // The scheme is of the shaking alone; and it does not end where the impacts accumulate before its time, so there the sum is closed.
-            Rule::Time(time) if departure.ground == Ground::Shaking && since >= time => {
+            Termination::ChatteringThreshold(time) if departure.ground == Ground::Shaking && since >= time => {
                 return Some((BoutEnd::ChatteringThreshold, now));
             }
-            Rule::Time(_) | Rule::Exact => {}
+            Termination::ChatteringThreshold(_) | Termination::Exact => {}
         }
         // On shaking ground it rests before the ground pushes it away again.
         let latest = match departure.ground {

@@ -7,7 +7,6 @@ use super::{Question, Scene};
 use crate::{
     measure::asking::ask,
     motion::response::{Bout, BoutEnd, Response, Termination},
-    panel,
 };
 
 /// How many impacts the claim of a chattering time is made from.
@@ -77,19 +76,13 @@ pub struct Summary {
 }
 
 impl Scene {
-    /// The method that follows this scene's flights.
-    pub fn stepper(&self) -> Box<dyn Oracle> {
-        panel::stepper_of(self.ask.model)
-    }
-
-    /// Answers what the scene asks.
+    /// Answers what the scene asks, with a method that follows flights on its equation of motion.
     ///
     /// # Errors
     /// When its numbers leave the range of a case, or the method declines it.
-    pub fn answers(&self) -> Result<Answers, AnswerError> {
-        let oracle = self.stepper();
+    pub fn answers(&self, oracle: &dyn Oracle) -> Result<Answers, AnswerError> {
         let request = self.response(None, Termination::Exact)?;
-        let response = Response::new(oracle.as_ref(), &request)
+        let response = Response::new(oracle, &request)
             .map_err(|why| AnswerError::Declined { oracle: oracle.name().to_owned(), why })?;
         let seconds = |tau: f64| tau / self.block.frequency_parameter();
         let asked = |question| self.ask.what.contains(&question);
@@ -101,7 +94,7 @@ impl Scene {
             initiation: first.map(|bout| seconds(bout.begin())),
             chattering_time: first
                 .filter(|_| asked(Question::ChatteringTime))
-                .map(|bout| self.chattering_time(oracle.as_ref(), &request.case, bout)),
+                .map(|bout| self.chattering_time(oracle, &request.case, bout)),
             impact_times: asked(Question::ImpactTimes).then_some(impact_times),
             rest_periods: asked(Question::RestPeriods).then(rests),
             response: asked(Question::Response).then(|| Summary {

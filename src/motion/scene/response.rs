@@ -3,10 +3,7 @@
 use contract::{Case, Invalid, Model, Normalisation, Slenderness};
 
 use super::{Amplitude, Scene};
-use crate::motion::{
-    plan::Question,
-    response::{Lobes, Request, Termination},
-};
+use crate::motion::response::{Request, Termination};
 
 /// How many cycles of a motion without end are followed unless told otherwise.
 const CYCLES: f64 = 5.0;
@@ -28,27 +25,6 @@ impl Scene {
         let request = Request::new(case, lasts, until.unwrap_or(limit))?;
         let lies_at = Some(std::f64::consts::FRAC_PI_2 / self.block.slenderness);
         Ok(Request { phase: self.ground.phase, lies_at, termination: termination.check()?, ..request })
-    }
-
-    /// The question for the chattering time of the first rocking, to the scene's tolerance.
-    ///
-    /// # Errors
-    /// When the numbers leave the range of a case.
-    pub fn question(&self) -> Result<Question, Invalid> {
-        let request = self.response(None, Termination::Exact)?;
-        let case = request.case;
-        let lobes = Lobes::new(&case, request.phase);
-        let (lobe, start) = lobes.departure(0.0);
-        let from_threshold = start == lobe.start;
-        let outlasts = request.lasts.is_none_or(|lasts| lasts - start >= lobes.half_period());
-        // An amplitude in physical units is divided by the threshold: some roundings of a, each of which is a/ε times as much of ε.
-        let exact = case.epsilon() == 0.0
-            || matches!(self.ground.amplitude, Amplitude::OverThreshold(_))
-            || (matches!(self.ground.amplitude, Amplitude::OverSlenderThreshold(_)) && self.ask.model == Model::Linear);
-        let rounding = if exact { 0.0 } else { 2.0 * f64::EPSILON * case.amplitude() / case.epsilon().abs() };
-        let is_case = case.epsilon() <= 0.0 || (from_threshold && outlasts);
-        let (request, afterwards) = if is_case { (None, Some(request)) } else { (Some(request), None) };
-        Ok(Question { rounding, request, afterwards, ..Question::new(case, self.ask.tolerance) })
     }
 
     /// The case with its amplitude over the threshold of its own model, `g α` or `g tan α`, as responses are counted.

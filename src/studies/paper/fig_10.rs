@@ -13,7 +13,7 @@ pub(super) const FIGURE: Figure =
 const A: f64 = 1.03;
 
 fn measure() -> Result<String, Error> {
-    let (response, _) = response(A, FINE.1)?;
+    let (response, _) = response(A, FINE)?;
     let rest = response.bouts.first().ok_or_else(|| missing("the rocking of Fig. 10"))?.end();
     let mut parts = Vec::new();
     for scheme in [CHATTERING, FINE] {

@@ -13,7 +13,7 @@ pub(super) const FIGURE: Figure =
 const A: f64 = 1.05;
 
 fn measure() -> Result<String, Error> {
-    let (response, _) = response(A, COARSE.1)?;
+    let (response, _) = response(A, COARSE)?;
     let rest = response.bouts.first().ok_or_else(|| missing("the rocking of Fig. 11"))?.end();
     let again = half_period(OMEGA);
     let mut parts = Vec::new();

@@ -2,13 +2,10 @@
 
 use super::{
     Error, Figure, half_period,
-    history::{self, ETA, OMEGA, PART, Row, WHOLE, lines, mark, response, rows, table},
+    history::{self, ETA, EXACT, OMEGA, PART, Row, WHOLE, lines, mark, response, rows, table},
     missing,
 };
-use crate::{
-    motion::response::Termination,
-    studies::chart::{self, Mark, Table},
-};
+use crate::studies::chart::{self, Mark, Table};
 
 pub(super) const FIGURE: Figure = Figure {
     name: "fig_2",
@@ -17,13 +14,12 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 const A: f64 = 1.03;
-const EXACT: (&str, Termination) = ("φ", Termination::Exact);
 /// The first cycles end with this impact, the final ones begin with that.
 const FIRST: usize = 6;
 const FINAL: usize = 40;
 
 fn measure() -> Result<String, Error> {
-    let (response, _) = response(A, EXACT.1)?;
+    let (response, _) = response(A, EXACT)?;
     let bout = response.bouts.first().ok_or_else(|| missing("the chattering of Fig. 2"))?;
     let (impacts, rest): (Vec<f64>, f64) = (bout.impact_times().collect(), bout.end());
     let time = |n: usize| impacts.get(n - 1).copied().ok_or_else(|| missing(format!("impact {n}")));

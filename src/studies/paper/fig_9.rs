@@ -16,7 +16,7 @@ pub(super) const FIGURE: Figure = Figure {
 const A: f64 = 1.03;
 
 fn measure() -> Result<String, Error> {
-    let (response, _) = response(A, CHATTERING.1)?;
+    let (response, _) = response(A, CHATTERING)?;
     let rest = response.bouts.first().ok_or_else(|| missing("the rocking of Fig. 9"))?.end();
     table(vec![
         rows("whole", A, CHATTERING, (0.0, duration()), WHOLE)?,

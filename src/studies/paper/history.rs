@@ -5,9 +5,12 @@ use serde::Serialize;
 
 use super::{Error, half_period};
 use crate::{
-    motion::response::{Condition, Request, Response, Termination, Window},
+    motion::response::{Request, Response, Termination, Window},
     panel,
-    studies::chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table, csv_text},
+    studies::{
+        chart::{self, Axis, Draw, LineChart, Mark, Panel, Series, Table, csv_text},
+        chattering_threshold::{Condition, chattering_threshold},
+    },
 };
 
 /// The frequency ratio of all four figures.
@@ -19,13 +22,17 @@ pub(super) const WHOLE: usize = 600;
 /// The same of a part of it.
 pub(super) const PART: usize = 300;
 
+/// A way to end chattering, and what it is called.
+pub(super) type Scheme = (&'static str, fn(&Case) -> Termination);
+
+/// Where the impacts accumulate.
+pub(super) const EXACT: Scheme = ("φ", |_| Termination::Exact);
 /// Scheme (a) of Fig. 8.
-pub(super) const CHATTERING: (&str, Termination) =
-    ("chattering threshold", Termination::ChatteringThreshold(Condition::Eq76));
+pub(super) const CHATTERING: Scheme = ("chattering threshold", |case| chattering_threshold(case, Condition::Eq76));
 /// Scheme (b) of Fig. 8 with the smaller threshold of Figs 10 and 11.
-pub(super) const FINE: (&str, Termination) = ("VelTol/(pα) = 5×10⁻¹⁰", Termination::VelocityThreshold(5e-10));
+pub(super) const FINE: Scheme = ("VelTol/(pα) = 5×10⁻¹⁰", |_| Termination::VelocityThreshold(5e-10));
 /// The same with the larger threshold of Fig. 11.
-pub(super) const COARSE: (&str, Termination) = ("VelTol/(pα) = 5×10⁻²", Termination::VelocityThreshold(5e-2));
+pub(super) const COARSE: Scheme = ("VelTol/(pα) = 5×10⁻²", |_| Termination::VelocityThreshold(5e-2));
 
 /// A response at one time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,9 +57,9 @@ pub(super) fn duration() -> f64 {
 }
 
 /// The response to the excitation of amplitude `a`, and what was asked for.
-pub(super) fn response(a: f64, termination: Termination) -> Result<(Response, Request), Error> {
+pub(super) fn response(a: f64, scheme: Scheme) -> Result<(Response, Request), Error> {
     let request = Request::new(Case::from_amplitude(a, OMEGA, ETA)?, Some(duration()), duration())?;
-    let request = Request { termination, ..request };
+    let request = Request { termination: scheme.1(&request.case), ..request };
     Ok((Response::new(panel::stepper().as_ref(), &request)?, request))
 }
 
@@ -60,11 +67,11 @@ pub(super) fn response(a: f64, termination: Termination) -> Result<(Response, Re
 pub(super) fn rows(
     part: &'static str,
     a: f64,
-    scheme: (&'static str, Termination),
+    scheme: Scheme,
     window: (f64, f64),
     steps: usize,
 ) -> Result<Vec<Row>, Error> {
-    let (response, request) = response(a, scheme.1)?;
+    let (response, request) = response(a, scheme)?;
     let window = Window { from: window.0, to: window.1, steps };
     let samples = response.samples(panel::stepper().as_ref(), &request, &window)?;
     let row = |sample: crate::motion::response::Sample| Row {

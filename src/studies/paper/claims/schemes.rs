@@ -9,13 +9,13 @@ use crate::{
         asking::ask,
         critical::{eq76, interpolated},
     },
-    motion::response::{Bout, BoutEnd, Response, Termination, Window},
+    motion::response::{Bout, BoutEnd, Response, Window},
     panel,
     studies::{
         diagnose::{spread, truth::stepped},
         paper::{
             Error, half_period,
-            history::{CHATTERING, COARSE, ETA, FINE, OMEGA, duration, response},
+            history::{CHATTERING, COARSE, ETA, EXACT, FINE, OMEGA, Scheme, duration, response},
             missing,
         },
     },
@@ -41,8 +41,8 @@ fn first_bout(response: &Response) -> Result<&Bout, Error> {
 }
 
 /// When the block first comes to rest by a scheme, the impacts until then, and the speed `|φ'|` with which it is stopped.
-fn first_rest(a: f64, termination: Termination) -> Result<(f64, usize, f64), Error> {
-    let (response, _) = response(a, termination)?;
+fn first_rest(a: f64, scheme: Scheme) -> Result<(f64, usize, f64), Error> {
+    let (response, _) = response(a, scheme)?;
     let bout = first_bout(&response)?;
     let speed = bout.flights.last().map_or(0.0, |flight| match flight.arrival {
         Arrival::Impact { speed, .. } => ETA * speed,
@@ -52,8 +52,8 @@ fn first_rest(a: f64, termination: Termination) -> Result<(f64, usize, f64), Err
 }
 
 fn rest_after_chattering_time() -> Result<Measured, Error> {
-    let (exact, ..) = first_rest(BELOW, Termination::Exact)?;
-    let (rest, impacts, speed) = first_rest(BELOW, CHATTERING.1)?;
+    let (exact, ..) = first_rest(BELOW, EXACT)?;
+    let (rest, impacts, speed) = first_rest(BELOW, CHATTERING)?;
     let found = format!(
         "it is called at rest at {:.4} T/2, after {impacts} impacts and with a speed of {speed:.4}; the impacts accumulate at {:.4} T/2",
         rest / half_period(OMEGA),
@@ -63,7 +63,7 @@ fn rest_after_chattering_time() -> Result<Measured, Error> {
 }
 
 fn second_initiation() -> Result<Measured, Error> {
-    let (response, _) = response(BELOW, CHATTERING.1)?;
+    let (response, _) = response(BELOW, CHATTERING)?;
     let half_period = half_period(OMEGA);
     let wrong = response.bouts.iter().zip(0..).filter(|(bout, k)| {
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
@@ -77,9 +77,9 @@ fn second_initiation() -> Result<Measured, Error> {
 }
 
 fn finitely_many() -> Result<Measured, Error> {
-    let (_, by_time, _) = first_rest(BELOW, CHATTERING.1)?;
-    let (_, by_speed, _) = first_rest(BELOW, FINE.1)?;
-    let (_, coarse, _) = first_rest(BELOW, COARSE.1)?;
+    let (_, by_time, _) = first_rest(BELOW, CHATTERING)?;
+    let (_, by_speed, _) = first_rest(BELOW, FINE)?;
+    let (_, coarse, _) = first_rest(BELOW, COARSE)?;
     let found = format!(
         "{by_time} impacts with the chattering threshold, {by_speed} with VelTol/(pα) = 5e-10, {coarse} with 5e-2; the exact sum needs no threshold"
     );
@@ -88,9 +88,9 @@ fn finitely_many() -> Result<Measured, Error> {
 }
 
 fn both_schemes() -> Result<Measured, Error> {
-    let (exact, ..) = first_rest(BELOW, Termination::Exact)?;
-    let off = |termination| Ok::<_, Error>((first_rest(BELOW, termination)?.0 / exact - 1.0).abs());
-    let (by_time, by_speed) = (off(CHATTERING.1)?, off(FINE.1)?);
+    let (exact, ..) = first_rest(BELOW, EXACT)?;
+    let off = |scheme| Ok::<_, Error>((first_rest(BELOW, scheme)?.0 / exact - 1.0).abs());
+    let (by_time, by_speed) = (off(CHATTERING)?, off(FINE)?);
     let found = format!(
         "both do, the chattering threshold {} % too early, VelTol/(pα) = 5e-10 {} %",
         rounded(100.0 * by_time),
@@ -100,8 +100,8 @@ fn both_schemes() -> Result<Measured, Error> {
 }
 
 fn rest_that_should_not_be() -> Result<Measured, Error> {
-    let (exact, _) = response(ABOVE, Termination::Exact)?;
-    let (coarse, _) = response(ABOVE, COARSE.1)?;
+    let (exact, _) = response(ABOVE, EXACT)?;
+    let (coarse, _) = response(ABOVE, COARSE)?;
     let stopped = first_bout(&coarse)?;
     let as_said = first_bout(&exact)?.end() > half_period(OMEGA) && stopped.outcome == BoutEnd::VelocityThreshold;
     let found = format!(
@@ -112,11 +112,11 @@ fn rest_that_should_not_be() -> Result<Measured, Error> {
 }
 
 /// The largest difference of two responses in rotation, over the largest rotation.
-fn largest_difference(a: f64, one: Termination, other: Termination) -> Result<f64, Error> {
+fn largest_difference(a: f64, one: Scheme, other: Scheme) -> Result<f64, Error> {
     const STEPS: usize = 2000;
     let stepper = panel::stepper();
-    let rotations = |termination| {
-        let (response, request) = response(a, termination)?;
+    let rotations = |scheme| {
+        let (response, request) = response(a, scheme)?;
         let times: Vec<f64> = spread(0.0, duration(), STEPS).collect();
         let window = Window { from: 0.0, to: duration(), steps: 4 * STEPS };
         let samples = response.samples(stepper.as_ref(), &request, &window)?;
@@ -133,17 +133,13 @@ fn largest_difference(a: f64, one: Termination, other: Termination) -> Result<f6
 }
 
 fn another_response() -> Result<Measured, Error> {
-    let difference = largest_difference(ABOVE, Termination::Exact, COARSE.1)?;
+    let difference = largest_difference(ABOVE, EXACT, COARSE)?;
     let found = format!("within 2.5 T the two rotations differ by up to {difference:.1} of the largest rotation");
     Ok(Measured::new((1.0 - difference).max(0.0), found))
 }
 
 fn fine_threshold() -> Result<Measured, Error> {
-    let difference = largest_difference(ABOVE, Termination::Exact, FINE.1)?.max(largest_difference(
-        ABOVE,
-        Termination::Exact,
-        CHATTERING.1,
-    )?);
+    let difference = largest_difference(ABOVE, EXACT, FINE)?.max(largest_difference(ABOVE, EXACT, CHATTERING)?);
     Ok(Measured::to_digits(difference, 9, "both give the response without a threshold"))
 }
 

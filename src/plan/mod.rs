@@ -9,6 +9,7 @@ pub mod evidence;
 mod method;
 mod refusal;
 mod run;
+mod scene;
 mod stepping;
 
 use contract::Case;
