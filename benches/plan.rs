@@ -13,7 +13,7 @@ use std::{hint::black_box, time::Instant};
 use chattercheck::{
     measure::asking::ask,
     panel::{self, Settings},
-    plan::{Method, Outcome, Plan, Question, evidence},
+    plan::{Conclusion, Method, Plan, Question, evidence},
 };
 use contract::{Case, Ending, Model};
 
@@ -44,16 +44,16 @@ fn main() {
     for plan in plans.iter().step_by(SAMPLE) {
         let case = plan.question.case.with_max_impacts(20).unwrap();
         let truth = ask(&judge, &case).into_observed().unwrap();
-        let right = match plan.answer().outcome() {
-            Some(Outcome::Complete(time)) => truth
+        let right = match plan.answer().conclusion() {
+            Some(Conclusion::Complete(time)) => truth
                 .chattering_time
                 .is_some_and(|truth| (time.value - truth.value).abs() <= plan.question.tolerance * truth.value),
-            Some(Outcome::Incomplete | Outcome::Overturned) => {
+            Some(Conclusion::Incomplete | Conclusion::Overturned) => {
                 matches!(truth.history.ending, Ending::Incomplete | Ending::Overturned)
             }
             // Only scenes are followed past half a period.
-            Some(Outcome::Rocking) => false,
-            Some(Outcome::NeverRocks) => truth.history.ending == Ending::NeverRocks,
+            Some(Conclusion::Rocking) => false,
+            Some(Conclusion::NeverRocks) => truth.history.ending == Ending::NeverRocks,
             None => false,
         };
         wrong += usize::from(!right);

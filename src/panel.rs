@@ -207,10 +207,10 @@ fn ode(settings: &Settings, model: Model) -> Result<Ode, Invalid> {
         Model::Nonlinear => Equation::Nonlinear,
     };
     let method = match settings.method.unwrap_or("tsit45") {
-        "tsit45" => ode::Method::Tsit45,
-        "bdf" => ode::Method::Bdf,
-        "tr-bdf2" => ode::Method::TrBdf2,
-        "esdirk34" => ode::Method::Esdirk34,
+        "tsit45" => ode::Solver::Tsit45,
+        "bdf" => ode::Solver::Bdf,
+        "tr-bdf2" => ode::Solver::TrBdf2,
+        "esdirk34" => ode::Solver::Esdirk34,
         other => return Err(Invalid::new("method", other, "tsit45, bdf, tr-bdf2 or esdirk34")),
     };
     let flights = match settings.flights.unwrap_or("rescaled") {

@@ -4,7 +4,7 @@ use contract::{Arrival, Case, Decline, FlightSolver, Model, Normalisation, Oracl
 
 use crate::{
     cases::shaking::Shaking,
-    gate::responses::{Bout, Impact, Outcome, Responder, Row, State, Whole},
+    gate::responses::{Bout, BoutEnding, Impact, Responder, Row, State, Whole},
     motion::response::{self, BoutEnd, Request, Response, Window},
     panel::{self, Settings},
 };
@@ -104,11 +104,11 @@ fn bout(bout: &response::Bout, solver: Option<&dyn FlightSolver>) -> Bout {
         _ => None,
     });
     let (outcome, uncertainty) = match bout.outcome {
-        BoutEnd::Complete { uncertainty } => (Outcome::Rest, uncertainty),
-        BoutEnd::VelocityThreshold | BoutEnd::ChatteringThreshold => (Outcome::Rest, 0.0),
-        BoutEnd::Overturned => (Outcome::Overturned, 0.0),
-        BoutEnd::Cut => (Outcome::Cut, 0.0),
-        BoutEnd::TooManyImpacts | BoutEnd::Lost(_) => (Outcome::GivenUp, 0.0),
+        BoutEnd::Complete { uncertainty } => (BoutEnding::Rest, uncertainty),
+        BoutEnd::VelocityThreshold | BoutEnd::ChatteringThreshold => (BoutEnding::Rest, 0.0),
+        BoutEnd::Overturned => (BoutEnding::Overturned, 0.0),
+        BoutEnd::Cut => (BoutEnding::Cut, 0.0),
+        BoutEnd::TooManyImpacts | BoutEnd::Lost(_) => (BoutEnding::GivenUp, 0.0),
     };
     Bout {
         begin: bout.begin(),

@@ -3,7 +3,7 @@ use chattercheck::{
     measure::{excitation::half_period, observables::Observed},
     motion::response::{Bout, BoutEnd},
     panel::{self, Method, Proven, Refused, Role},
-    plan::{Outcome, Plan, Question},
+    plan::{Conclusion, Plan, Question},
 };
 use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle};
@@ -135,23 +135,23 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         return Err(Refused::unused(option, value, "auto", uses).into());
     }
     let found = Plan::new(question).answer();
-    if let (None, Some(decline)) = (found.outcome(), found.declined()) {
+    if let (None, Some(decline)) = (found.conclusion(), found.declined()) {
         bail!("auto: every method declines, first because {decline}");
     }
-    let (outcome, method) = (found.outcome(), found.method().map_or_else(String::new, |method| method.to_string()));
+    let (outcome, method) = (found.conclusion(), found.method().map_or_else(String::new, |method| method.to_string()));
     let time = found.chattering_time();
     let ending = match outcome {
         None => "no method had an answer",
-        Some(Outcome::NeverRocks) => "never rocks",
-        Some(Outcome::Incomplete) => "incomplete (still rocking at half a period)",
-        Some(Outcome::Rocking) => "still rocking when the response ends",
-        Some(Outcome::Overturned) => "overturned",
-        Some(Outcome::Complete(_)) => "at rest (complete chattering)",
+        Some(Conclusion::NeverRocks) => "never rocks",
+        Some(Conclusion::Incomplete) => "incomplete (still rocking at half a period)",
+        Some(Conclusion::Rocking) => "still rocking when the response ends",
+        Some(Conclusion::Overturned) => "overturned",
+        Some(Conclusion::Complete(_)) => "at rest (complete chattering)",
     };
     let mut answer = Answer {
         case: CaseFacts::of(&question.case),
-        rocks: outcome != Some(Outcome::NeverRocks),
-        complete: outcome.filter(|outcome| *outcome != Outcome::NeverRocks).map(|_| time.is_some()),
+        rocks: outcome != Some(Conclusion::NeverRocks),
+        complete: outcome.filter(|outcome| *outcome != Conclusion::NeverRocks).map(|_| time.is_some()),
         tau_ch: time.map(|time| time.value),
         uncertainty: time.map(|time| time.uncertainty),
         lower: None,

@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use anyhow::bail;
-use chattercheck::plan::{Answer, Candidate, Errors, Outcome, Plan, Question};
+use chattercheck::plan::{Answer, Candidate, Conclusion, Errors, Plan, Question};
 use clap::Args;
 use contract::Invalid;
 use serde::Serialize;
@@ -74,12 +74,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     let plan = Plan::new(Question { tolerance, ..scene.question()? });
     let answer = plan.answer();
-    if let (None, Some(decline)) = (answer.outcome(), answer.declined()) {
+    if let (None, Some(decline)) = (answer.conclusion(), answer.declined()) {
         bail!("{}: every method declines, first because {decline}", arguments.scene.display());
     }
     let document = document(scene.title.clone(), scene.block.frequency_parameter(), &plan, &answer);
     arguments.format.print(&document, text)?;
-    Ok(if answer.outcome().is_some() { Status::Well } else { Status::Disagreed })
+    Ok(if answer.conclusion().is_some() { Status::Well } else { Status::Disagreed })
 }
 
 fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answer) -> Document {
@@ -99,7 +99,7 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
             why,
         }
     });
-    let outcome = answer.outcome();
+    let outcome = answer.conclusion();
     let time = answer.chattering_time();
     Document {
         title,
@@ -110,9 +110,9 @@ fn document(title: String, frequency_parameter: f64, plan: &Plan, answer: &Answe
         answer: Answered {
             ran: answer.attempts.iter().map(|attempt| attempt.method.to_string()).collect(),
             impacts: answer.attempts.last().map_or(0, |attempt| attempt.impacts),
-            complete: outcome.map(|outcome| matches!(outcome, Outcome::Complete(_))),
-            rocks: outcome.map(|outcome| outcome != Outcome::NeverRocks),
-            overturned: outcome.map(|outcome| outcome == Outcome::Overturned),
+            complete: outcome.map(|outcome| matches!(outcome, Conclusion::Complete(_))),
+            rocks: outcome.map(|outcome| outcome != Conclusion::NeverRocks),
+            overturned: outcome.map(|outcome| outcome == Conclusion::Overturned),
             tau_ch: time.map(|time| time.value),
             seconds: time.map(|time| time.value / frequency_parameter),
             relative_uncertainty: time.map(|time| time.uncertainty / time.value),

@@ -5,7 +5,7 @@ use std::path::Path;
 use chattercheck::{
     gate::{
         progress::Progress,
-        responses::{self, Failure, Report, Request, Responder},
+        responses::{self, Failure, Report, Responder, Selection},
     },
     responders::{self, Stepped},
 };
@@ -25,7 +25,7 @@ pub(super) struct Responses {
         allow_negative_numbers = true,
         help = format!(
             "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does]",
-            Request::DEFAULT
+            Selection::DEFAULT
         )
     )]
     responses: Option<usize>,
@@ -43,16 +43,16 @@ impl Responses {
     pub fn chosen(&self, panel: &[&dyn Oracle], seed: u64, partition: (usize, usize)) -> Result<Chosen, Invalid> {
         let is_asked = |method: &Stepped| panel.iter().any(|oracle| oracle.name() == method.oracle.name());
         let methods: Vec<Stepped> = responders::all().into_iter().filter(is_asked).collect();
-        let usual = if methods.is_empty() { 0 } else { Request::DEFAULT };
+        let usual = if methods.is_empty() { 0 } else { Selection::DEFAULT };
         let responses = self.responses.unwrap_or(usual);
-        if responses > Request::MOST {
+        if responses > Selection::MOST {
             return Err(Invalid::new("responses", responses, "at most 1000000"));
         }
         if responses > 0 && methods.is_empty() {
             let allowed = "0, as none of the oracles asked (--oracles) follows whole responses";
             return Err(Invalid::new("responses", responses, allowed));
         }
-        Ok(Chosen { methods, shakings: responses::shakings(&Request { responses, seed, partition }) })
+        Ok(Chosen { methods, shakings: responses::shakings(&Selection { responses, seed, partition }) })
     }
 }
 

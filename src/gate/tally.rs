@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        calibration::{Calibration, ClaimOverError},
+        calibration::Calibration,
         compare::Agreement,
         counting::{WorstFigure, add_counts, keep_worst, smaller, wider},
         examine::{Examination, Pairing},
@@ -53,17 +53,6 @@ pub struct Reach {
     pub omega: Option<(f64, f64)>,
     /// See `epsilon`.
     pub eta: Option<(f64, f64)>,
-}
-
-/// What the judge found.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Judged {
-    /// How many cases it was to be asked.
-    pub asked: usize,
-    /// Of how many it judged every history; also of those in which something was wrong.
-    pub cases: usize,
-    /// For each oracle and observable, its claims in multiples of its true errors.
-    pub claims: BTreeMap<String, BTreeMap<Observable, ClaimOverError>>,
 }
 
 impl Tally {

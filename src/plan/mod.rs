@@ -19,7 +19,7 @@ use crate::motion::response::Request;
 pub use estimate::{Errors, Place};
 pub use method::Method;
 pub use refusal::Refusal;
-pub use run::{Answer, Attempt, Outcome};
+pub use run::{Answer, Attempt, Conclusion};
 pub use stepping::{Found, step};
 
 /// A question about the chattering time of one case.

@@ -17,7 +17,7 @@ pub struct Attempt {
     /// The method.
     pub method: Method,
     /// What it found; `None` if it had no answer.
-    pub found: Option<Outcome>,
+    pub found: Option<Conclusion>,
     /// Why it had none, if it declined.
     pub declined: Option<Decline>,
     /// How many impacts it took.
@@ -26,7 +26,7 @@ pub struct Attempt {
 
 /// What a method found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Outcome {
+pub enum Conclusion {
     /// The block never rocks.
     NeverRocks,
     /// The chattering is incomplete: the block does not come to rest within half a period. It rocks on, or overturns later.
@@ -50,15 +50,15 @@ pub struct Answer {
 
 impl Answer {
     /// What was found in the end.
-    pub fn outcome(&self) -> Option<Outcome> {
+    pub fn conclusion(&self) -> Option<Conclusion> {
         self.attempts.last()?.found
     }
 
     /// The chattering time, if the chattering is complete.
     pub fn chattering_time(&self) -> Option<Estimate> {
-        match self.outcome()? {
-            Outcome::Complete(time) => Some(time),
-            Outcome::NeverRocks | Outcome::Incomplete | Outcome::Rocking | Outcome::Overturned => None,
+        match self.conclusion()? {
+            Conclusion::Complete(time) => Some(time),
+            Conclusion::NeverRocks | Conclusion::Incomplete | Conclusion::Rocking | Conclusion::Overturned => None,
         }
     }
 
@@ -92,7 +92,7 @@ pub(super) fn answer(plan: &Plan) -> Answer {
         }
     }
     // What the history of a case leaves open, the response of the scene tells.
-    let open = |found| matches!(found, None | Some(Outcome::Incomplete | Outcome::Overturned));
+    let open = |found| matches!(found, None | Some(Conclusion::Incomplete | Conclusion::Overturned));
     if let Some(request) = question.afterwards.as_ref().filter(|_| open(attempts.last().and_then(|last| last.found))) {
         attempts.push(afterwards(question, request));
     }
@@ -101,10 +101,10 @@ pub(super) fn answer(plan: &Plan) -> Answer {
 }
 
 /// Whether what was found is as accurate as asked.
-fn meets(found: Option<Outcome>, tolerance: f64) -> bool {
+fn meets(found: Option<Conclusion>, tolerance: f64) -> bool {
     match found {
-        Some(Outcome::Complete(time)) => time.uncertainty <= tolerance * time.value,
-        Some(Outcome::NeverRocks | Outcome::Incomplete | Outcome::Rocking | Outcome::Overturned) => true,
+        Some(Conclusion::Complete(time)) => time.uncertainty <= tolerance * time.value,
+        Some(Conclusion::NeverRocks | Conclusion::Incomplete | Conclusion::Rocking | Conclusion::Overturned) => true,
         None => false,
     }
 }
@@ -121,13 +121,13 @@ fn afterwards(question: &Question, request: &Request) -> Attempt {
 }
 
 /// What was found, if anything, and how many impacts it took.
-type Ran = Result<(Option<Outcome>, usize), Decline>;
+type Ran = Result<(Option<Conclusion>, usize), Decline>;
 
 fn run(candidate: &Candidate, question: &Question) -> Ran {
     let Ok(errors) = &candidate.errors else { return Ok((None, 0)) };
     match candidate.method {
-        Method::Nothing => Ok((Some(Outcome::NeverRocks), 0)),
-        Method::CriticalAmplitude => Ok((Some(Outcome::Incomplete), 0)),
+        Method::Nothing => Ok((Some(Conclusion::NeverRocks), 0)),
+        Method::CriticalAmplitude => Ok((Some(Conclusion::Incomplete), 0)),
         Method::Linear | Method::Corrected | Method::Nonlinear => stepped(candidate.method, question, errors),
         method => asked(method, question, errors),
     }
@@ -144,9 +144,9 @@ fn asked(method: Method, question: &Question, errors: &Errors) -> Ran {
         Reply::Panicked(_) => return Ok((None, 0)),
     };
     let outcome = match observed.history.ending {
-        Ending::Incomplete => Some(Outcome::Incomplete),
-        Ending::Overturned => Some(Outcome::Overturned),
-        _ => observed.chattering_time.map(|time| Outcome::Complete(with(time, errors.model + errors.conditioning))),
+        Ending::Incomplete => Some(Conclusion::Incomplete),
+        Ending::Overturned => Some(Conclusion::Overturned),
+        _ => observed.chattering_time.map(|time| Conclusion::Complete(with(time, errors.model + errors.conditioning))),
     };
     Ok((outcome, observed.history.impacts.len()))
 }
@@ -165,9 +165,9 @@ fn stepped(method: Method, question: &Question, errors: &Errors) -> Ran {
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
     Ok(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
-        Found::Complete(time, impacts) => (Some(Outcome::Complete(with(time, known(errors)))), impacts),
-        Found::Incomplete(impacts) => (Some(Outcome::Incomplete), impacts),
-        Found::Overturned(impacts) => (Some(Outcome::Overturned), impacts),
+        Found::Complete(time, impacts) => (Some(Conclusion::Complete(with(time, known(errors)))), impacts),
+        Found::Incomplete(impacts) => (Some(Conclusion::Incomplete), impacts),
+        Found::Overturned(impacts) => (Some(Conclusion::Overturned), impacts),
         Found::Undecided => (None, 0),
     })
 }
@@ -180,14 +180,14 @@ fn known(errors: &Errors) -> f64 {
 /// The first rocking of a motion that is not that of a case.
 fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Ran {
     let response = Response::new(oracle, request)?;
-    let Some(bout) = response.bouts.first() else { return Ok((Some(Outcome::NeverRocks), 0)) };
+    let Some(bout) = response.bouts.first() else { return Ok((Some(Conclusion::NeverRocks), 0)) };
     let outcome = match bout.outcome {
         _ if bout.is_unsure() => None,
         BoutEnd::Complete { uncertainty } => {
-            Some(Outcome::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
+            Some(Conclusion::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
         }
-        BoutEnd::Overturned => Some(Outcome::Overturned),
-        BoutEnd::Cut => Some(Outcome::Rocking),
+        BoutEnd::Overturned => Some(Conclusion::Overturned),
+        BoutEnd::Cut => Some(Conclusion::Rocking),
         _ => None,
     };
     Ok((outcome, bout.impacts()))

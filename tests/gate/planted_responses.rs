@@ -8,7 +8,7 @@ use chattercheck::{
     gate::{
         judge::Judges,
         report::{self, Report},
-        responses::{self, Finding, Law, Outcome, Request, Responder, What, Whole, Wrong},
+        responses::{self, BoutEnding, Finding, Law, Responder, Selection, What, Whole, Wrong},
         run::{self, Selection},
     },
     motion::{response::Termination, scene::Scene},
@@ -155,7 +155,7 @@ fn spoilt(spoil: fn(&mut Whole, &Shaking)) -> Spoilt {
 
 /// The responses in which mistakes are looked for.
 fn shakings() -> Vec<(String, Shaking)> {
-    responses::shakings(&Request { responses: 150, seed: 1, partition: (1, 1) })
+    responses::shakings(&Selection { responses: 150, seed: 1, partition: (1, 1) })
 }
 
 /// Whether this is found of a method in one of them.
@@ -203,7 +203,7 @@ fn overturning_that_forgets_the_end_of_the_shaking_is_found() {
     let false_overturning = |finding: &Finding| match &finding.wrong {
         Wrong::Differs(difference) => {
             matches!(difference.what, What::NoImpact) && (difference.time - 4.534_790_41).abs() < 1e-8
-                || matches!(difference.what, What::Ending(Outcome::Overturned, Outcome::Rest))
+                || matches!(difference.what, What::Ending(BoutEnding::Overturned, BoutEnding::Rest))
         }
         Wrong::Breaks(..) => false,
     };
@@ -271,7 +271,7 @@ fn mistakes_of_the_loop_of_events_are_found() {
         for k in 0..whole.bouts.len() {
             let end = whole.bouts[k].end;
             let later = end + 1e-8 * (end - whole.bouts[k].begin);
-            if whole.bouts[k].outcome == Outcome::Rest {
+            if whole.bouts[k].outcome == BoutEnding::Rest {
                 whole.rests.iter_mut().for_each(|rest| {
                     if rest.0 == end {
                         rest.0 = later
@@ -286,7 +286,7 @@ fn mistakes_of_the_loop_of_events_are_found() {
     let unsure = spoilt(|whole, _| whole.bouts.iter_mut().for_each(|bout| bout.uncertainty = 1e4));
     assert!(found(&unsure, differs(What::Unsure)));
     let lost_impact = spoilt(|whole, _| {
-        whole.bouts.iter_mut().filter(|bout| bout.outcome == Outcome::Overturned).for_each(|bout| {
+        whole.bouts.iter_mut().filter(|bout| bout.outcome == BoutEnding::Overturned).for_each(|bout| {
             bout.impacts.pop();
         });
     });
@@ -355,7 +355,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
         Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking }
     }
     let (one, two) = (other("one"), other("two"));
-    let request = Request { responses: 20, seed: 1, partition: (1, 1) };
+    let request = Selection { responses: 20, seed: 1, partition: (1, 1) };
     let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), &());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
@@ -368,7 +368,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 #[test]
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
-    let request = Request { responses: 40, seed: 1, partition: (1, 1) };
+    let request = Selection { responses: 40, seed: 1, partition: (1, 1) };
     let (_, failures) = responses::run(&[&method], &responses::shakings(&request), &());
     let failure = &failures[0];
     let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);

@@ -1,19 +1,19 @@
 //! The gate on whole responses: what it reaches, and that it notices what is wrong with them.
 
 use chattercheck::{
-    gate::responses::{self, Reach, Report, Request, Responder, Whole},
+    gate::responses::{self, Example, Report, Responder, Selection, Whole},
     panel, responders,
 };
 use contract::{Case, Model, Normalisation, Slenderness};
 
 use crate::effort::pick;
 
-fn run(responders: &[&dyn Responder], request: &Request) -> (Report, Vec<responses::Failure>) {
+fn run(responders: &[&dyn Responder], request: &Selection) -> (Report, Vec<responses::Failure>) {
     responses::run(responders, &responses::shakings(request), &())
 }
 
-fn request(responses: usize) -> Request {
-    Request { responses, seed: 1, partition: (1, 1) }
+fn request(responses: usize) -> Selection {
+    Selection { responses, seed: 1, partition: (1, 1) }
 }
 
 /// A method that declines everything: what is left is the plain follower.
@@ -41,13 +41,13 @@ impl Responder for Nobody {
 #[test]
 fn random_responses_reach_every_regime() {
     for model in [Model::Linear, Model::Nonlinear] {
-        let (report, _) = run(&[&Nobody(model)], &request(Request::DEFAULT));
-        assert_eq!((report.responses, report.methods["nobody"].answered), (Request::DEFAULT, 0));
-        for reach in Reach::ALL {
+        let (report, _) = run(&[&Nobody(model)], &request(Selection::DEFAULT));
+        assert_eq!((report.responses, report.methods["nobody"].answered), (Selection::DEFAULT, 0));
+        for reach in Example::ALL {
             let found = report.reach.get(&reach).copied().unwrap_or_default();
             assert!(found >= 4, "{model:?}: {found} responses: {}", reach.name());
         }
-        assert!(report.too_close <= Request::DEFAULT / 20, "{model:?}: {} too close to call", report.too_close);
+        assert!(report.too_close <= Selection::DEFAULT / 20, "{model:?}: {} too close to call", report.too_close);
         assert!(report.shortfalls.iter().any(|shortfall| shortfall.contains("nobody declined")), "{report:?}");
     }
 }
@@ -57,10 +57,10 @@ fn random_responses_reach_every_regime() {
 fn the_shares_of_a_run_are_the_run() {
     let all = responses::shakings(&request(50));
     let mut shares: Vec<_> =
-        (1..=3).flat_map(|part| responses::shakings(&Request { partition: (part, 3), ..request(50) })).collect();
+        (1..=3).flat_map(|part| responses::shakings(&Selection { partition: (part, 3), ..request(50) })).collect();
     shares.sort_by_key(|(name, _)| all.iter().position(|(other, _)| other == name));
     assert_eq!(all, shares);
-    assert_ne!(all[0].1, responses::shakings(&Request { seed: 2, ..request(1) })[0].1);
+    assert_ne!(all[0].1, responses::shakings(&Selection { seed: 2, ..request(1) })[0].1);
 }
 
 /// A method that has flights and is not verified would be trusted for nothing.
@@ -83,6 +83,6 @@ fn every_method_with_flights_is_asked_for_whole_responses() {
 fn whole_responses_agree_with_a_plain_follower() {
     let all = responders::all();
     let all: Vec<&dyn Responder> = all.iter().map(|one| one as &dyn Responder).collect();
-    let (report, failures) = run(&all, &request(pick("responses", Request::DEFAULT, 5000)));
+    let (report, failures) = run(&all, &request(pick("responses", Selection::DEFAULT, 5000)));
     assert!(report.passes() && failures.is_empty(), "{}", responses::failures_text(&report));
 }

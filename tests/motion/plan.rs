@@ -5,7 +5,7 @@ use chattercheck::{
     measure::{asking::ask, critical},
     motion::linearisation::{Flights, Linearisation},
     panel,
-    plan::{Found, Method, Outcome, Place, Plan, evidence, step},
+    plan::{Conclusion, Found, Method, Place, Plan, evidence, step},
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{
@@ -147,15 +147,15 @@ fn no_answer_misses_its_tolerance() {
         .par_iter()
         .filter_map(|(answer, question)| {
             let truth = if question.case.epsilon() <= 0.0 { None } else { proven(&question.case)? };
-            let wrong = match (answer.outcome(), truth) {
-                (Some(Outcome::Complete(time)), Some(truth)) => {
+            let wrong = match (answer.conclusion(), truth) {
+                (Some(Conclusion::Complete(time)), Some(truth)) => {
                     answer.meets && (time.value - truth).abs() > question.tolerance * truth
                 }
-                (Some(Outcome::Incomplete | Outcome::Overturned | Outcome::NeverRocks), None) => false,
+                (Some(Conclusion::Incomplete | Conclusion::Overturned | Conclusion::NeverRocks), None) => false,
                 (None, _) => false,
                 _ => true,
             };
-            wrong.then(|| format!("{:?} {:?} {:?} by {:?}", question.case, answer.outcome(), truth, answer.method()))
+            wrong.then(|| format!("{:?} {:?} {:?} by {:?}", question.case, answer.conclusion(), truth, answer.method()))
         })
         .collect();
     assert!(misses.is_empty(), "{} of {many}: {}", misses.len(), misses.join("\n"));

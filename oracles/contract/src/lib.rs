@@ -8,6 +8,15 @@
 //! - A **history** is the list of impacts in order, and why it ended.
 //! - A **decline** is an oracle's refusal of a case that it cannot do; it is counted, and it is not a failure.
 //!
+//! The harness uses these, and with one meaning each:
+//!
+//! - A **scene** is a block and a motion of the ground in physical units, and what is asked of it. Its **response** goes from rest to rest, in **bouts** of
+//!   rocking.
+//! - An **observable** is what is compared: an impact time, an interval, a velocity, an interval ratio, the chattering time.
+//! - A **finding** is something that an examination found wrong with a case; a **shortfall** is what a run as a whole fails to prove.
+//! - A **gate** is a run whose exit status matters; its outcome is the **verdict**.
+//! - A **fault** is a mistake planted on purpose, to see that the gate notices. A **specimen** is a scheme that is known to fail, kept to be studied.
+//!
 //! # Scaling
 //! All times are `τ = p t`, with `p = sqrt(3g/(4R))` the frequency parameter of the block; rotations are `φ = θ/α`; velocities are
 //! `φ' = dφ/dτ`; the frequency ratio is `ω = ω_g/p` (Eq. 5). Rocking starts at `τ = 0` from rest with `i_0 = -1` and the phase

@@ -37,7 +37,7 @@ const MOST_TRIED: usize = 200;
 const TRUSTED: usize = 40;
 
 /// What is proven of one amplitude.
-enum Verdict {
+enum Side {
     /// Complete; what is left of the half period, `1 - τ_ch/(T/2)`.
     Complete(f64),
     Incomplete,
@@ -70,8 +70,8 @@ pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
                     why: format!("the chattering at epsilon = {next:?} is undecided"),
                 });
             }
-            Some(Verdict::Complete(left)) => search.is_complete(next, left),
-            Some(Verdict::Incomplete) => search.incomplete = search.incomplete.min(next),
+            Some(Side::Complete(left)) => search.is_complete(next, left),
+            Some(Side::Incomplete) => search.incomplete = search.incomplete.min(next),
         }
         if search.incomplete - search.complete <= WIDTH {
             return certified(search.complete, search.incomplete, exponent, tried);
@@ -156,16 +156,16 @@ struct Judging {
 }
 
 impl Attempt for Judging {
-    type Answer = Option<Verdict>;
+    type Answer = Option<Side>;
 
-    fn with<F: Directed>(&self) -> (Option<Verdict>, bool) {
+    fn with<F: Directed>(&self) -> (Option<Side>, bool) {
         let wanted = Wanted { impacts: 1, followed: 100_000, width: 1e-13 };
         let verdict = match sequence::follow::<F>(&self.case, None, wanted).end {
             End::Complete(time) => {
                 let share = &(&time * &Interval::exactly(self.case.omega())) / &pi();
-                Some(Verdict::Complete((&Interval::exactly(1.0) - &share).middle()))
+                Some(Side::Complete((&Interval::exactly(1.0) - &share).middle()))
             }
-            End::HalfPeriod | End::Overturned => Some(Verdict::Incomplete),
+            End::HalfPeriod | End::Overturned => Some(Side::Incomplete),
             _ => None,
         };
         let decided = verdict.is_some();
@@ -173,7 +173,7 @@ impl Attempt for Judging {
     }
 }
 
-fn judge(epsilon: f64, omega: f64, eta: f64) -> Result<Option<Verdict>, Invalid> {
+fn judge(epsilon: f64, omega: f64, eta: f64) -> Result<Option<Side>, Invalid> {
     let case = Case::from_epsilon(epsilon, omega, eta)?;
     Ok(climb(&Judging { case }, <f64 as Directed>::BITS))
 }

@@ -3,7 +3,7 @@
 
 use contract::{History, Impact, Uncertainty};
 
-use crate::{Flights, Method, Ode};
+use crate::{Flights, Ode, Solver};
 
 /// The rounding that both runs share, relative.
 const ROUNDING: f64 = 2e-14;
@@ -42,12 +42,12 @@ pub(crate) struct Calibration {
 impl Calibration {
     /// Against proven enclosures, by `chattercheck verify --judge all`: no claim of the default run is smaller than the true error, and the median
     /// is some 30 to 90 times as large. The coarse run alone, with larger safeties, fell short in one case of 2,000.
-    pub fn of(method: Method) -> Self {
+    pub fn of(method: Solver) -> Self {
         match method {
-            Method::Tsit45 => Self { safety: [2.4, 0.24], floor: 3.2 },
+            Solver::Tsit45 => Self { safety: [2.4, 0.24], floor: 3.2 },
             // Its order varies, so its error follows the tolerance less smoothly than the others do.
-            Method::Bdf => Self { safety: [2.5, 0.2], floor: 125.0 },
-            Method::TrBdf2 | Method::Esdirk34 => Self { safety: [4.0, 0.6], floor: 7.0 },
+            Solver::Bdf => Self { safety: [2.5, 0.2], floor: 125.0 },
+            Solver::TrBdf2 | Solver::Esdirk34 => Self { safety: [4.0, 0.6], floor: 7.0 },
         }
     }
 }
@@ -142,13 +142,13 @@ mod tests {
         History { impacts: intervals.iter().map(impact).collect(), ending, chattering_time: None }
     }
 
-    fn at(method: Method, rtol: f64) -> Ode {
+    fn at(method: Solver, rtol: f64) -> Ode {
         Ode::new(Equation::Linear, method).with_rtol(rtol).unwrap_or_else(|e| panic!("{e}"))
     }
 
     fn claims(fine: &[f64], coarse: &[f64], endings: (Ending, Ending)) -> Vec<f64> {
         let mut fine = history(fine, endings.0);
-        let ode = at(Method::Tsit45, 1e-12);
+        let ode = at(Solver::Tsit45, 1e-12);
         let coarse = history(coarse, endings.1);
         claim(&ode, &mut fine, &coarse, &coarse);
         fine.impacts.iter().map(|impact| impact.uncertainty.interval).collect()
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_claim_is_made_of_both_differences() {
-        for method in Method::ALL {
+        for method in Solver::ALL {
             let Calibration { safety: [much, little], .. } = Calibration::of(method);
             let ode = at(method, 1e-9);
             // The larger of interval and velocity counts for both.
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn at_least_the_tolerance_is_claimed_and_more_after_many_flights() {
-        for method in Method::ALL {
+        for method in Solver::ALL {
             let ode = Ode::new(Equation::Linear, method);
             let least = Calibration::of(method).floor * ode.rtol();
             for (flights, impact) in (1_u32..).zip(claimed(&ode, 200, [0.0; 3], [0.0; 3])) {
@@ -245,7 +245,7 @@ mod tests {
     /// The width of a root on the clock that shows `t` is `t` times that at 1, and each flight keeps those of all before it.
     #[test]
     fn on_the_global_clock_roots_are_as_wide_as_the_clock_is_late() {
-        let ode = Ode::new(Equation::Linear, Method::Tsit45);
+        let ode = Ode::new(Equation::Linear, Solver::Tsit45);
         let rescaled = claimed(&ode, 5, [0.0; 3], [0.0; 3]);
         let naive = claimed(&ode.with_flights(Flights::Naive), 5, [0.0; 3], [0.0; 3]);
         let mut roots = 0.0;
@@ -261,7 +261,7 @@ mod tests {
 
     #[test]
     fn of_a_difference_to_runs_that_are_coarser_still_less_is_claimed() {
-        let claim_at = |rtol: f64| match claimed(&at(Method::Tsit45, rtol), 1, [1e-3; 3], [2e-3; 3])[..] {
+        let claim_at = |rtol: f64| match claimed(&at(Solver::Tsit45, rtol), 1, [1e-3; 3], [2e-3; 3])[..] {
             [impact] => impact.uncertainty.interval,
             _ => panic!("one impact"),
         };

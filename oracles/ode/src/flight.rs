@@ -5,7 +5,7 @@ use core::cell::Cell;
 use contract::Loss;
 use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
-use crate::Method;
+use crate::Solver;
 use crate::equation::{Forcing, Motion};
 use crate::launch::{Equations, Flight, Launch, Outcome};
 use crate::piece::{Knot, Piece};
@@ -110,14 +110,14 @@ impl Scaled {
 
     /// A first step that the error test is likely to accept. The embedded method of order `q` is exact for the parabola that a flight
     /// is but for terms of the relative size `(omega T)^(q-1)`.
-    fn first_step(&self, method: Method, rtol: f64) -> f64 {
+    fn first_step(&self, method: Solver, rtol: f64) -> f64 {
         let change = self.motion.omega.max(1.0) * self.time;
         match method {
-            Method::Tsit45 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change * change)).powf(0.2)),
-            Method::Esdirk34 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change)).powf(0.25)),
-            Method::TrBdf2 => WHOLE_FLIGHT.min(6.0 * (rtol / change).cbrt()),
+            Solver::Tsit45 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change * change)).powf(0.2)),
+            Solver::Esdirk34 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change)).powf(0.25)),
+            Solver::TrBdf2 => WHOLE_FLIGHT.min(6.0 * (rtol / change).cbrt()),
             // It starts at the first order in each flight, for which the parabola itself is the error.
-            Method::Bdf => 2.0 * rtol.sqrt(),
+            Solver::Bdf => 2.0 * rtol.sqrt(),
         }
     }
 
@@ -163,7 +163,7 @@ pub(crate) struct Rescaled<'c, S> {
     pub solver: S,
     pub units: &'c Cell<Scaled>,
     pub motion: Motion,
-    pub method: Method,
+    pub method: Solver,
     pub rtol: f64,
 }
 
@@ -367,7 +367,7 @@ mod tests {
         let [motion, _] = motions(0.03, 2.0);
         let flight = |speed: f64| Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: speed });
         for (method, order, change) in
-            [(Method::Tsit45, 5.0, 3.0), (Method::Esdirk34, 4.0, 2.0), (Method::TrBdf2, 3.0, 1.0)]
+            [(Solver::Tsit45, 5.0, 3.0), (Solver::Esdirk34, 4.0, 2.0), (Solver::TrBdf2, 3.0, 1.0)]
         {
             let (long, short) = (flight(1e-2), flight(1e-3));
             let step = |scaled: &Scaled, rtol: f64| scaled.first_step(method, rtol);
@@ -381,7 +381,7 @@ mod tests {
             assert!((3.0..12.0).contains(&level), "{method}: {level}");
             assert_eq!(step(&flight(1e-30), 1e-8), WHOLE_FLIGHT);
         }
-        assert!(is_near(flight(1e-2).first_step(Method::Bdf, 1e-8), 2e-4));
+        assert!(is_near(flight(1e-2).first_step(Solver::Bdf, 1e-8), 2e-4));
         assert_eq!((root(8.0, 1), root(9.0, 2), root(8.0, 3)), (8.0, 3.0, 2.0));
     }
 }

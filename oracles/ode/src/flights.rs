@@ -5,7 +5,7 @@ use core::cell::Cell;
 use contract::{Arrival, Departure, FlightSolver, Ground, Loss};
 use diffsol::OdeSolverMethod;
 
-use crate::Method;
+use crate::Solver;
 use crate::equation::Motion;
 use crate::flight::Rescaled;
 use crate::launch::{Equations, Launch, Outcome};
@@ -13,7 +13,7 @@ use crate::run::{Task, rescaled};
 
 /// The flights of one block under one motion of the ground. Each has a solver of its own.
 pub(crate) struct Solver {
-    pub method: Method,
+    pub method: Solver,
     pub rtol: f64,
     pub eta: f64,
     pub motion: Motion,

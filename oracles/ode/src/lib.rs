@@ -40,7 +40,7 @@ pub enum Equation {
 
 /// The method of integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Method {
+pub enum Solver {
     /// Explicit Runge-Kutta 5(4) of Tsitouras.
     Tsit45,
     /// Backward differentiation of variable order, 1 to 5.
@@ -76,7 +76,7 @@ pub enum Restart {
 #[derive(Debug, Clone)]
 pub struct Ode {
     equation: Equation,
-    method: Method,
+    method: Solver,
     flights: Flights,
     restart: Restart,
     rtol: f64,
@@ -102,7 +102,7 @@ impl Equation {
     }
 }
 
-impl Method {
+impl Solver {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Tsit45, Self::Bdf, Self::TrBdf2, Self::Esdirk34];
 
@@ -128,13 +128,13 @@ impl Method {
     }
 }
 
-impl fmt::Display for Method {
+impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-impl FromStr for Method {
+impl FromStr for Solver {
     type Err = Invalid;
 
     fn from_str(name: &str) -> Result<Self, Invalid> {
@@ -145,7 +145,7 @@ impl FromStr for Method {
 
 impl Ode {
     /// The oracle for `equation` by `method`, with the method's default tolerance and rescaled flights.
-    pub fn new(equation: Equation, method: Method) -> Self {
+    pub fn new(equation: Equation, method: Solver) -> Self {
         let (flights, restart, rtol) = (Flights::Rescaled, Restart::Zero, method.default_rtol());
         Self { equation, method, flights, restart, rtol, name: String::new() }.named()
     }
@@ -181,7 +181,7 @@ impl Ode {
     }
 
     /// The method of integration.
-    pub fn method(&self) -> Method {
+    pub fn method(&self) -> Solver {
         self.method
     }
 

@@ -9,7 +9,7 @@ use crate::equation::Motion;
 use crate::flight::{Rescaled, Scaled};
 use crate::launch::{Equations, Flight, Launch, Matrix, Outcome};
 use crate::naive::Naive;
-use crate::{Flights, Method, Ode};
+use crate::{Flights, Ode, Solver};
 
 /// Intervals below this have nothing left to resolve: the rotations, of the order of their square, near the smallest double.
 const LEAST_INTERVAL: f64 = 1e-140;
@@ -38,10 +38,10 @@ pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evalua
 macro_rules! with_solver {
     ($method:expr, $problem:expr, |$solver:ident| $then:expr) => {
         match $method {
-            Method::Tsit45 => $problem.tsit45().map(|$solver| $then),
-            Method::Bdf => $problem.bdf::<Lu>().map(|$solver| $then),
-            Method::TrBdf2 => $problem.tr_bdf2::<Lu>().map(|$solver| $then),
-            Method::Esdirk34 => $problem.esdirk34::<Lu>().map(|$solver| $then),
+            Solver::Tsit45 => $problem.tsit45().map(|$solver| $then),
+            Solver::Bdf => $problem.bdf::<Lu>().map(|$solver| $then),
+            Solver::TrBdf2 => $problem.tr_bdf2::<Lu>().map(|$solver| $then),
+            Solver::Esdirk34 => $problem.esdirk34::<Lu>().map(|$solver| $then),
         }
     };
 }
@@ -70,7 +70,7 @@ impl Task for Follow<'_> {
 
 /// Makes a solver that flies each flight in its own units, and does `task` with it.
 pub(crate) fn rescaled<T: Task>(
-    method: Method,
+    method: Solver,
     motion: &Motion,
     rtol: f64,
     evaluations: &Cell<u64>,
@@ -144,10 +144,10 @@ fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<
 }
 
 /// Lifts the limits that are counted over the life of a solver, which here is a whole history; a flight has a limit of its own.
-fn tame<E: Equations>(problem: &mut OdeSolverProblem<E>, method: Method) {
+fn tame<E: Equations>(problem: &mut OdeSolverProblem<E>, method: Solver) {
     problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
     problem.ode_options.min_timestep = 1e-18;
-    if method == Method::Bdf {
+    if method == Solver::Bdf {
         // By default a step only grows when it can double. The steps of a flight are then the first one times powers of two, and the
         // error jumps by a factor of up to 30 with the place of the tolerance between them, which no comparison of two runs survives.
         problem.ode_options.min_timestep_growth = Some(1.2);
@@ -233,7 +233,7 @@ mod tests {
     fn a_flight_that_is_below_the_base_has_fallen_through() {
         let case = Case::from_epsilon(0.1, 2.0, 0.9).unwrap_or_else(|e| panic!("{e}"));
         let motion = Motion::new(&case, Equation::Linear).unwrap_or(None).unwrap_or_else(|| panic!("it rocks"));
-        for method in Method::ALL {
+        for method in Solver::ALL {
             for (i, rotation, velocity) in [(1.0, -1e-3, -0.1), (-1.0, 1e-3, 0.1), (1.0, -0.5, 0.0), (-1.0, 1e-9, 1e-3)]
             {
                 let launch = Launch { i, tau: 0.3, rotation, velocity };
@@ -244,7 +244,7 @@ mod tests {
                     Ok(Outcome::Lost(loss)) => Some(loss),
                     _ => None,
                 };
-                let implicit = method != Method::Tsit45 && lost == Some(Loss::SolverFailed);
+                let implicit = method != Solver::Tsit45 && lost == Some(Loss::SolverFailed);
                 assert!(implicit || lost == Some(Loss::FellThrough), "{method} {launch:?}: {lost:?}");
             }
         }

@@ -5,7 +5,7 @@ use std::{cell::Cell, fmt};
 use super::{
     follower::Followed,
     reference::Reference,
-    whole::{Bout, Outcome, Row, State, Whole},
+    whole::{Bout, BoutEnding, Row, State, Whole},
 };
 
 /// What rounding leaves in any number, beside what grows out of it.
@@ -52,7 +52,7 @@ pub enum What {
     /// How fast.
     ImpactSpeed,
     /// How a bout ends: that of the method, and that which it has to be.
-    Ending(Outcome, Outcome),
+    Ending(BoutEnding, BoutEnding),
     /// When the block comes to rest.
     RestTime,
     /// It claims so little of when the block comes to rest that it does not know.
@@ -151,7 +151,7 @@ impl Comparison<'_> {
         for (n, (impact, (time, speed))) in bout.impacts.iter().zip(known).enumerate() {
             let Some(found) = own.impacts.get(n) else {
                 // A method may close the sum of infinitely many earlier.
-                let closed = own.outcome == Outcome::Rest && bout.outcome == Outcome::Rest;
+                let closed = own.outcome == BoutEnding::Rest && bout.outcome == BoutEnding::Rest;
                 return (!closed).then(|| plain(What::NoImpact, impact.time));
             };
             let late = ROUNDING * (1.0 + impact.time);
@@ -169,7 +169,7 @@ impl Comparison<'_> {
     }
 
     fn ending(&self, own: &Bout, bout: &Bout, (end, peak): (f64, f64)) -> Option<Difference> {
-        let rests = bout.outcome == Outcome::Rest;
+        let rests = bout.outcome == BoutEnding::Rest;
         if let Some(extra) = own.impacts.get(bout.impacts.len()).filter(|_| !rests) {
             return Some(plain(What::ExtraImpact, extra.time));
         }
@@ -192,10 +192,10 @@ impl Comparison<'_> {
     }
 
     /// One method is certain earlier than another that a block overturns: then the one has it, and the other still follows it where the response ends.
-    fn may_end(&self, own: Outcome, right: Outcome) -> bool {
+    fn may_end(&self, own: BoutEnding, right: BoutEnding) -> bool {
         match (own, right) {
-            (Outcome::Overturned, Outcome::Cut) => self.reference.nominal.falls,
-            (Outcome::Cut, Outcome::Overturned) => true,
+            (BoutEnding::Overturned, BoutEnding::Cut) => self.reference.nominal.falls,
+            (BoutEnding::Cut, BoutEnding::Overturned) => true,
             _ => own == right,
         }
     }
@@ -205,9 +205,9 @@ impl Comparison<'_> {
         let Followed { bouts, falls, .. } = &self.reference.nominal;
         let bout = bouts.iter().take_while(|bout| bout.begin <= time).last();
         bout.is_some_and(|bout| match bout.outcome {
-            Outcome::Overturned => true,
-            Outcome::Cut => *falls,
-            Outcome::Rest | Outcome::GivenUp => false,
+            BoutEnding::Overturned => true,
+            BoutEnding::Cut => *falls,
+            BoutEnding::Rest | BoutEnding::GivenUp => false,
         })
     }
 

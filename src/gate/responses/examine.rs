@@ -7,7 +7,7 @@ use contract::Model;
 use super::{
     compare::{self, Difference},
     laws::{self, Law},
-    reach::Reach,
+    reach::Example,
     reference::Reference,
     whole::{Responder, Whole},
 };
@@ -22,16 +22,16 @@ pub struct Examination {
     /// What was wrong.
     pub findings: Vec<Finding>,
     /// Of each method, by name: what was compared, or that it declined.
-    pub asked: Vec<(String, Asked)>,
+    pub asked: Vec<(String, Compared)>,
     /// What the response is an example of, by the plain follower.
-    pub reach: Vec<Reach>,
+    pub reach: Vec<Example>,
     /// Whether the outcome of one of the models is too close to call from some time on.
     pub too_close: bool,
 }
 
 /// What was compared of one method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Asked {
+pub enum Compared {
     /// It declined.
     Declined,
     /// So many bouts, impacts and rows.
@@ -115,17 +115,17 @@ pub fn examine(responders: &[&dyn Responder], shaking: &Shaking) -> Examination 
             continue;
         }
         let Some(reference) = Reference::new(shaking, model) else { continue };
-        examination.reach.extend(Reach::of(shaking, &reference));
+        examination.reach.extend(Example::of(shaking, &reference));
         examination.too_close |= reference.until.is_finite();
         let mut findings = Vec::new();
         for responder in of_model {
             let name = responder.name().to_owned();
             let Some(whole) = responder.respond(shaking, ROWS) else {
-                examination.asked.push((name, Asked::Declined));
+                examination.asked.push((name, Compared::Declined));
                 continue;
             };
             let (wrong, used) = wrong(&whole, &reference, responder.accuracy());
-            examination.asked.push((name.clone(), Asked::of(&whole, &reference, used)));
+            examination.asked.push((name.clone(), Compared::of(&whole, &reference, used)));
             findings.extend(wrong.map(|wrong| Finding { method: name, model, wrong, agreeing: Vec::new() }));
         }
         examination.findings.extend(with_agreeing(&findings));
@@ -154,7 +154,7 @@ fn with_agreeing(findings: &[Finding]) -> Vec<Finding> {
     findings.iter().map(|finding| Finding { agreeing: agreeing(finding), ..finding.clone() }).collect()
 }
 
-impl Asked {
+impl Compared {
     fn of(whole: &Whole, reference: &Reference, used: f64) -> Self {
         let known = whole.bouts.iter().zip(&reference.known);
         let impacts = known.map(|(bout, known)| bout.impacts.len().min(known.impacts.len())).sum();

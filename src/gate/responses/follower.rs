@@ -5,7 +5,7 @@ use super::{
     ground::Problem,
     knot::Knot,
     landing::{self, Advance},
-    whole::{Bout, Impact, Outcome},
+    whole::{Bout, BoutEnding, Impact},
 };
 
 /// Flights are resolved until the sum of those that are left is known to this.
@@ -37,8 +37,8 @@ pub(super) fn follow(problem: Problem) -> Followed {
     while let Some((begin, side)) = problem.next_start(now).filter(|(begin, _)| *begin < problem.until) {
         let (bout, track) = Rocking::new(&problem, begin, side).follow();
         now = bout.end;
-        followed.falls = bout.outcome == Outcome::Cut && track.last().is_some_and(|last| falls(&problem, *last));
-        let rests = bout.outcome == Outcome::Rest;
+        followed.falls = bout.outcome == BoutEnding::Cut && track.last().is_some_and(|last| falls(&problem, *last));
+        let rests = bout.outcome == BoutEnding::Rest;
         followed.bouts.push(bout);
         followed.tracks.push(track);
         if !rests {
@@ -53,7 +53,7 @@ impl Followed {
     pub fn at(&self, time: f64) -> (f64, f64) {
         let bouts = self.bouts.iter().zip(&self.tracks);
         let Some((bout, track)) = bouts.take_while(|(bout, _)| bout.begin <= time).last() else { return (0.0, 0.0) };
-        if bout.outcome == Outcome::Rest && time >= bout.impacts.last().map_or(bout.end, |last| last.time) {
+        if bout.outcome == BoutEnding::Rest && time >= bout.impacts.last().map_or(bout.end, |last| last.time) {
             return (0.0, 0.0);
         }
         let after = track.partition_point(|knot| knot.time <= time);
@@ -125,13 +125,13 @@ impl<'a> Rocking<'a> {
         for _ in 0..MOST_STEPS {
             if self.knot.time >= self.problem.until {
                 let until = self.problem.until;
-                return self.ended(Outcome::Cut, until, 0.0);
+                return self.ended(BoutEnding::Cut, until, 0.0);
             }
             self.track.push(self.knot);
             let (u, w) = self.knot.state;
             if self.problem.is_lost(self.knot.time, u, w) || u >= self.problem.lies_at {
                 let now = self.knot.time;
-                return self.ended(Outcome::Overturned, now, 0.0);
+                return self.ended(BoutEnding::Overturned, now, 0.0);
             }
             let limit = (self.problem.until - self.knot.time).min(until_change(self.problem, self.knot.time));
             let advance = landing::advance(self.problem, &self.knot, limit, self.peak.max(self.peak_of_flight));
@@ -154,11 +154,11 @@ impl<'a> Rocking<'a> {
             }
         }
         let now = self.knot.time;
-        self.ended(Outcome::GivenUp, now, 0.0)
+        self.ended(BoutEnding::GivenUp, now, 0.0)
     }
 
     /// Takes an impact, and says how the bout ends if it does.
-    fn land(&mut self, after: f64, speed: f64) -> Option<(Outcome, f64, f64)> {
+    fn land(&mut self, after: f64, speed: f64) -> Option<(BoutEnding, f64, f64)> {
         let problem = self.problem;
         let time = self.knot.time + after;
         // The interval apart from the clock, where the flight was one step; it is short then.
@@ -182,14 +182,14 @@ impl<'a> Rocking<'a> {
                 (one + two) * (one + two)
             };
             if held > 0.0 && left * change < RESOLVED && left < SHARE * problem.stays(time) {
-                return Some((Outcome::Rest, time + left, left * change + 1e-15 * time));
+                return Some((BoutEnding::Rest, time + left, left * change + 1e-15 * time));
             }
         }
         let given_up = interval.is_some_and(|interval| interval < SHORTEST) || self.impacts.len() >= MOST_IMPACTS;
-        given_up.then_some((Outcome::GivenUp, time, 0.0))
+        given_up.then_some((BoutEnding::GivenUp, time, 0.0))
     }
 
-    fn ended(self, outcome: Outcome, end: f64, uncertainty: f64) -> (Bout, Vec<Knot>) {
+    fn ended(self, outcome: BoutEnding, end: f64, uncertainty: f64) -> (Bout, Vec<Knot>) {
         // Of a flight that does not land the peak is not that of a whole flight.
         let Self { begin, side, impacts, peak, track, .. } = self;
         (Bout { begin, side, impacts, outcome, end, uncertainty, peak: Some(peak) }, track)

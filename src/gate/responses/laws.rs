@@ -2,7 +2,7 @@
 
 use super::{
     ground::Problem,
-    whole::{Outcome, Row, State, Whole},
+    whole::{BoutEnding, Row, State, Whole},
 };
 
 /// How closely the ground acceleration is looked at.
@@ -87,7 +87,7 @@ fn tiling(whole: &Whole) -> Option<(Law, f64)> {
     for bout in &whole.bouts {
         expected.push((now, bout.begin));
         now = bout.end;
-        rested = bout.outcome == Outcome::Rest;
+        rested = bout.outcome == BoutEnding::Rest;
     }
     if rested {
         expected.push((now, whole.end));
@@ -98,11 +98,11 @@ fn tiling(whole: &Whole) -> Option<(Law, f64)> {
 }
 
 fn end(whole: &Whole, problem: &Problem) -> Option<(Law, f64)> {
-    let last = whole.bouts.last().map_or(Outcome::Rest, |bout| bout.outcome);
+    let last = whole.bouts.last().map_or(BoutEnding::Rest, |bout| bout.outcome);
     let due = match last {
-        Outcome::Rest => problem.until.min(problem.lasts),
-        Outcome::Cut => problem.until,
-        Outcome::Overturned | Outcome::GivenUp => 0.0,
+        BoutEnding::Rest => problem.until.min(problem.lasts),
+        BoutEnding::Cut => problem.until,
+        BoutEnding::Overturned | BoutEnding::GivenUp => 0.0,
     };
     let in_time = whole.end >= due * (1.0 - NEAR) && whole.end <= problem.until * (1.0 + NEAR);
     (!in_time).then_some((Law::End, whole.end))

@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{reference::Reference, whole::Outcome};
+use super::{reference::Reference, whole::BoutEnding};
 use crate::cases::shaking::Shaking;
 
 /// What a response may be an example of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Reach {
+pub enum Example {
     /// The ground never reaches the threshold.
     NeverRocks,
     /// The block comes to rest while the ground shakes.
@@ -35,7 +35,7 @@ pub enum Reach {
     HighRestitution,
 }
 
-impl Reach {
+impl Example {
     /// All of them.
     pub const ALL: [Self; 12] = [
         Self::NeverRocks,
@@ -75,16 +75,16 @@ impl Reach {
         let lasts = shaking.lasts.unwrap_or(f64::INFINITY);
         let known = reference.known.iter().filter(|known| known.ending.is_some()).count();
         let bouts: Vec<_> = reference.nominal.bouts.iter().take(known).collect();
-        let any = |outcome: Outcome, after: bool| {
+        let any = |outcome: BoutEnding, after: bool| {
             bouts.iter().any(|bout| bout.outcome == outcome && (bout.end > lasts) == after)
         };
         let holds = |reach: Self| match reach {
             Self::NeverRocks => shaking.case.epsilon() <= 0.0,
-            Self::RestsWhileShaken => any(Outcome::Rest, false),
-            Self::RestsAfterwards => any(Outcome::Rest, true),
-            Self::OverturnsWhileShaken => any(Outcome::Overturned, false),
-            Self::OverturnsAfterwards => any(Outcome::Overturned, true),
-            Self::EndsInTheAir => any(Outcome::Cut, false) || any(Outcome::Cut, true),
+            Self::RestsWhileShaken => any(BoutEnding::Rest, false),
+            Self::RestsAfterwards => any(BoutEnding::Rest, true),
+            Self::OverturnsWhileShaken => any(BoutEnding::Overturned, false),
+            Self::OverturnsAfterwards => any(BoutEnding::Overturned, true),
+            Self::EndsInTheAir => any(BoutEnding::Cut, false) || any(BoutEnding::Cut, true),
             Self::ShakingEndsInTheAir => bouts.iter().any(|bout| bout.begin < lasts && bout.end > lasts),
             Self::SeveralBouts => bouts.len() > 1,
             Self::StartsAboveTheThreshold => {

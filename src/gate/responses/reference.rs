@@ -7,7 +7,7 @@ use contract::Model;
 use super::{
     follower::{Followed, follow},
     ground::Problem,
-    whole::{Bout, Outcome},
+    whole::{Bout, BoutEnding},
 };
 use crate::cases::shaking::Shaking;
 
@@ -109,8 +109,8 @@ impl Spread {
         *self = Self { time: begin, speed: 0.0 };
         let mut known = Known { begin, ..Known::default() };
         let counts = moved.map(|moved| moved.impacts.len());
-        let same = moved.iter().all(|moved| moved.outcome == bout.outcome) && bout.outcome != Outcome::GivenUp;
-        let rests = same && bout.outcome == Outcome::Rest;
+        let same = moved.iter().all(|moved| moved.outcome == bout.outcome) && bout.outcome != BoutEnding::GivenUp;
+        let rests = same && bout.outcome == BoutEnding::Rest;
         for (n, impact) in bout.impacts.iter().enumerate() {
             for other in moved.iter().filter_map(|moved| moved.impacts.get(n)) {
                 self.time = self.time.max((other.time - impact.time).abs());

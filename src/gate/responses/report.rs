@@ -5,9 +5,9 @@ use std::{collections::BTreeMap, fmt::Write};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    examine::{Asked, Examination},
+    examine::{Compared, Examination},
     failure::Failure,
-    reach::Reach,
+    reach::Example,
 };
 use crate::cases::shaking::Shaking;
 
@@ -33,9 +33,9 @@ pub struct Report {
     /// Of them, in how many it is too close to call what happens from some time on.
     pub too_close: usize,
     /// How many were examples of what; those of both models count once each.
-    pub reach: BTreeMap<Reach, usize>,
+    pub reach: BTreeMap<Example, usize>,
     /// What was compared of each method.
-    pub methods: BTreeMap<String, Method>,
+    pub methods: BTreeMap<String, MethodCounts>,
     /// Those in which something was wrong.
     pub failures: Vec<Failed>,
     /// What is wrong with the run as a whole.
@@ -44,7 +44,7 @@ pub struct Report {
 
 /// What was compared of one method.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Method {
+pub struct MethodCounts {
     /// How many responses it gave.
     pub answered: usize,
     /// How many it declined.
@@ -95,8 +95,8 @@ impl Report {
         for (name, asked) in &examination.asked {
             let method = self.methods.entry(name.clone()).or_default();
             match asked {
-                Asked::Declined => method.declined += 1,
-                Asked::Answered { bouts, impacts, rows, used } => {
+                Compared::Declined => method.declined += 1,
+                Compared::Answered { bouts, impacts, rows, used } => {
                     method.answered += 1;
                     method.bouts += bouts;
                     method.impacts += impacts;
@@ -136,7 +136,7 @@ impl Report {
                 shortfalls.push(format!("{name}: no impact of a whole response was compared"));
             }
         }
-        let missing = Reach::ALL.into_iter().filter(|reach| !self.reach.contains_key(reach));
+        let missing = Example::ALL.into_iter().filter(|reach| !self.reach.contains_key(reach));
         if all >= WHOLE_RUN {
             shortfalls.extend(missing.map(|reach| format!("no response that {}", reach.name())));
         }
@@ -184,7 +184,7 @@ pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
     )];
     if let Some((name, method)) = methods.iter().max_by(|(_, one), (_, two)| one.used.total_cmp(&two.used)) {
         let used = 100.0 * method.used;
-        let kinds = format!("{} of {} kinds of response", reach.len(), Reach::ALL.len());
+        let kinds = format!("{} of {} kinds of response", reach.len(), Example::ALL.len());
         lines.push((
             "",
             format!("{kinds}; {used:.0} % of what is allowed at the most: {name}; {too_close} too close to call"),
@@ -204,8 +204,8 @@ pub fn failures_text(report: &Report) -> String {
 
 /// Every kind of response, and every method, in a line.
 pub fn methods_text(report: &Report) -> String {
-    let line = |(name, method): (&String, &Method)| {
-        let Method { answered, declined, bouts, impacts, rows, wrong, used } = method;
+    let line = |(name, method): (&String, &MethodCounts)| {
+        let MethodCounts { answered, declined, bouts, impacts, rows, wrong, used } = method;
         let used = 100.0 * used;
         format!(
             "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used\n"

@@ -10,7 +10,7 @@ use crate::{
 
 /// What responses a run is made from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Request {
+pub struct Selection {
     /// How many.
     pub responses: usize,
     /// What they are made from.
@@ -19,7 +19,7 @@ pub struct Request {
     pub partition: (usize, usize),
 }
 
-impl Request {
+impl Selection {
     /// How many responses a run has unless told otherwise.
     pub const DEFAULT: usize = 200;
     /// How many it may be asked for.
@@ -27,7 +27,7 @@ impl Request {
 }
 
 /// The responses of a run, by name and in order.
-pub fn shakings(request: &Request) -> Vec<(String, Shaking)> {
+pub fn shakings(request: &Selection) -> Vec<(String, Shaking)> {
     let (part, parts) = request.partition;
     let all = (1..).zip(generate::shakings(request.seed, request.responses));
     let own = all.filter(|(number, _)| (number - 1) % parts.max(1) + 1 == part);

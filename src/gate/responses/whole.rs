@@ -42,7 +42,7 @@ pub struct Bout {
     /// The impacts that are resolved, in order.
     pub impacts: Vec<Impact>,
     /// How it ends.
-    pub outcome: Outcome,
+    pub outcome: BoutEnding,
     /// When.
     pub end: f64,
     /// What is claimed to be wrong with `end` at the most, where the block comes to rest.
@@ -64,7 +64,7 @@ pub struct Impact {
 
 /// How a bout ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Outcome {
+pub enum BoutEnding {
     /// With rest.
     Rest,
     /// With overturning.
@@ -75,7 +75,7 @@ pub enum Outcome {
     GivenUp,
 }
 
-impl Outcome {
+impl BoutEnding {
     /// In the words of the report.
     pub fn name(self) -> &'static str {
         match self {

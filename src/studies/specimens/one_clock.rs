@@ -1,5 +1,5 @@
 use contract::{Case, Ending, Horizon, Invalid, Limit, Loss};
-use ode::{Equation, Flights, Method, Ode, Restart};
+use ode::{Equation, Flights, Ode, Restart, Solver};
 
 use super::{Conclusion, ENDLESS, Landing, Response, Run, Specimen, half_period};
 
@@ -17,7 +17,7 @@ pub struct OneClock {
 /// # Errors
 /// When the tolerance is not inside [1e-13, 1e-2].
 pub fn solver_on_one_clock(restart: Restart, rtol: f64) -> Result<Ode, Invalid> {
-    Ok(Ode::new(Equation::Linear, Method::Tsit45).with_rtol(rtol)?.with_flights(Flights::Naive).with_restart(restart))
+    Ok(Ode::new(Equation::Linear, Solver::Tsit45).with_rtol(rtol)?.with_flights(Flights::Naive).with_restart(restart))
 }
 
 impl Specimen for OneClock {

@@ -121,7 +121,7 @@ fn series() -> Vec<Contender> {
 fn solvers() -> Vec<Contender> {
     let mut methods = Vec::new();
     let tolerances = || (3..=12).map(|exponent| 10.0_f64.powi(-exponent));
-    for method in ode::Method::ALL {
+    for method in ode::Solver::ALL {
         methods.extend(tolerances().filter_map(|rtol| {
             let solver = Ode::new(Equation::Linear, method).with_rtol(rtol).ok()?;
             Some(Contender::new(format!("{method}, rescaled"), format!("rtol {rtol:e}"), move |case| {

@@ -2,7 +2,7 @@
 
 use crate::common::{Random, case, impacts, linear};
 use contract::{Case, Ending, History, Normalisation, Oracle, Slenderness};
-use ode::{Equation, Method, Ode};
+use ode::{Equation, Ode, Solver};
 
 /// Some impacts of a case in the linear model: number, time, interval, speed after it. From Eq. 6 in local time, with 100 digits.
 struct Truth {
@@ -93,7 +93,7 @@ fn canonical(n: usize) -> Case {
 
 #[test]
 fn every_method_claims_no_less_than_its_error() {
-    for method in Method::ALL {
+    for method in Solver::ALL {
         let ode = linear(method);
         for truth in &TRUTHS {
             let (epsilon, omega, eta) = truth.case;
@@ -115,7 +115,7 @@ fn every_method_claims_no_less_than_its_error() {
 fn tsit45_is_accurate_to_ten_digits() {
     for truth in &TRUTHS {
         let (epsilon, omega, eta) = truth.case;
-        let history = impacts(&linear(Method::Tsit45), &Case::from_epsilon(epsilon, omega, eta).unwrap());
+        let history = impacts(&linear(Solver::Tsit45), &Case::from_epsilon(epsilon, omega, eta).unwrap());
         for &(n, time, interval, speed) in truth.impacts {
             let impact = history.impacts[n - 1];
             assert!((impact.time / time - 1.0).abs() < 1e-10, "{n} {impact:?}");
@@ -132,8 +132,8 @@ fn claims_follow_from_the_difference_to_a_finer_run() {
         let block = Slenderness::new(random.between(0.01, 0.8), Normalisation::Threshold).unwrap();
         let case = random.case().with_slenderness(block);
         let equation = [Equation::Linear, Equation::Nonlinear][n % 2];
-        let truth = impacts(&Ode::new(equation, Method::Tsit45).with_rtol(1e-13).unwrap(), &case);
-        for method in Method::ALL {
+        let truth = impacts(&Ode::new(equation, Solver::Tsit45).with_rtol(1e-13).unwrap(), &case);
+        for method in Solver::ALL {
             let history = Ode::new(equation, method).history(&case).unwrap();
             for (found, truth) in history.impacts.iter().zip(&truth.impacts) {
                 let slack = 1e-10;
@@ -150,7 +150,7 @@ fn claims_follow_from_the_difference_to_a_finer_run() {
 #[test]
 fn chattering_time_of_the_linear_block() {
     for (method, tolerance) in
-        [(Method::Tsit45, 2e-12), (Method::Esdirk34, 5e-8), (Method::Bdf, 1e-7), (Method::TrBdf2, 1e-5)]
+        [(Solver::Tsit45, 2e-12), (Solver::Esdirk34, 5e-8), (Solver::Bdf, 1e-7), (Solver::TrBdf2, 1e-5)]
     {
         let history = impacts(&linear(method), &canonical(400));
         assert_eq!(history.ending, Ending::AtRest);
@@ -163,7 +163,7 @@ fn chattering_time_of_the_linear_block() {
 fn chattering_time_of_the_block_as_it_is() {
     let of = |normalisation| {
         let case = canonical(400).with_slenderness(Slenderness::new(0.2, normalisation).unwrap());
-        let times = Method::ALL.map(|method| {
+        let times = Solver::ALL.map(|method| {
             let history = impacts(&Ode::new(Equation::Nonlinear, method), &case);
             assert_eq!(history.ending, Ending::AtRest);
             chattering_time(&history, 0.92)
@@ -179,14 +179,14 @@ fn chattering_time_of_the_block_as_it_is() {
 
 #[test]
 fn resolves_every_impact_to_intervals_of_1e_20_and_far_below() {
-    let history = impacts(&linear(Method::Tsit45), &canonical(3000));
+    let history = impacts(&linear(Solver::Tsit45), &canonical(3000));
     let intervals: Vec<f64> = history.impacts.iter().map(|impact| impact.interval).collect();
     assert_eq!(history.ending, Ending::AtRest);
     assert!(intervals.last().is_some_and(|&last| last < 1e-100), "{:?}", intervals.last());
     for pair in intervals.windows(3).skip(300) {
         assert!((pair[2] / pair[0] / (0.92 * 0.92) - 1.0).abs() < 1e-10, "{pair:?}");
     }
-    for method in [Method::Bdf, Method::TrBdf2, Method::Esdirk34] {
+    for method in [Solver::Bdf, Solver::TrBdf2, Solver::Esdirk34] {
         let history = impacts(&linear(method), &canonical(540));
         for (coarse, fine) in history.impacts.iter().zip(&intervals) {
             assert!((coarse.interval / fine - 1.0).abs() < 1e-4, "{method} {coarse:?} {fine}");

@@ -3,11 +3,11 @@
 use crate::common::{Random, case, impacts, linear};
 use crate::effort::pick;
 use contract::{Case, Decline, Ending, Horizon, Impact, Limit, Loss, Model, Normalisation, Oracle, Slenderness};
-use ode::{Equation, Flights, Method, Ode, Restart};
+use ode::{Equation, Flights, Ode, Restart, Solver};
 
 #[test]
 fn nothing_is_lost() {
-    for (method, cases) in [(Method::Tsit45, 1000), (Method::Esdirk34, 200), (Method::Bdf, 200), (Method::TrBdf2, 100)]
+    for (method, cases) in [(Solver::Tsit45, 1000), (Solver::Esdirk34, 200), (Solver::Bdf, 200), (Solver::TrBdf2, 100)]
     {
         let ode = linear(method);
         let mut random = Random(1);
@@ -39,7 +39,7 @@ fn the_methods_agree_on_the_endings_of_odd_cases() {
             Case::from_epsilon(epsilon, omega, random.between(0.05, 0.99)).unwrap().with_slenderness(slenderness);
         let case = case.with_horizon(Horizon::Until(10_f64.powf(random.between(-1.0, 1.5)) / omega)).unwrap();
         for equation in [Equation::Linear, Equation::Nonlinear] {
-            let [first, rest @ ..] = Method::ALL.map(|method| impacts(&Ode::new(equation, method), &case));
+            let [first, rest @ ..] = Solver::ALL.map(|method| impacts(&Ode::new(equation, method), &case));
             assert!(!matches!(first.ending, Ending::Lost(_)), "{case:?}: {}", first.ending);
             for other in rest {
                 assert_eq!((first.ending, first.impacts.len()), (other.ending, other.impacts.len()), "{case:?}");
@@ -51,12 +51,12 @@ fn the_methods_agree_on_the_endings_of_odd_cases() {
 #[test]
 fn never_rocks_at_or_below_the_threshold() {
     for a in [0.0, 0.5, 1.0] {
-        let history = linear(Method::Tsit45).history(&case(a, 2.0, 0.92)).unwrap();
+        let history = linear(Solver::Tsit45).history(&case(a, 2.0, 0.92)).unwrap();
         assert_eq!((history.ending, history.impacts.len()), (Ending::NeverRocks, 0));
     }
     // tan(0.2)/0.2 = 1.0136: above the threshold of one normalisation, below that of the other.
     let block = |normalisation| Slenderness::new(0.2, normalisation).unwrap();
-    let ode = Ode::new(Equation::Nonlinear, Method::Tsit45);
+    let ode = Ode::new(Equation::Nonlinear, Solver::Tsit45);
     let slender = impacts(&ode, &case(1.01, 2.0, 0.92).with_slenderness(block(Normalisation::Slender)));
     assert_eq!(slender.ending, Ending::NeverRocks);
     let threshold = impacts(&ode, &case(1.01, 2.0, 0.92).with_slenderness(block(Normalisation::Threshold)));
@@ -65,41 +65,41 @@ fn never_rocks_at_or_below_the_threshold() {
 
 #[test]
 fn declines_what_it_cannot_do() {
-    let nonlinear = Ode::new(Equation::Nonlinear, Method::Tsit45);
+    let nonlinear = Ode::new(Equation::Nonlinear, Solver::Tsit45);
     assert_eq!(nonlinear.history(&case(1.03, 2.0, 0.92)), Err(Decline::NeedsSlenderness));
     for case in [case(1.03, 1e-7, 0.92), case(1.03, 1e7, 0.92), Case::from_epsilon(1e-70, 2.0, 0.92).unwrap()] {
-        assert!(matches!(linear(Method::Bdf).history(&case), Err(Decline::OutOfRange { .. })), "{case:?}");
+        assert!(matches!(linear(Solver::Bdf).history(&case), Err(Decline::OutOfRange { .. })), "{case:?}");
     }
 }
 
 #[test]
 fn refuses_tolerances_and_names_outside_the_range() {
     for rtol in [0.0, -1e-9, 1e-14, 0.1, f64::NAN, f64::INFINITY] {
-        assert!(linear(Method::Tsit45).with_rtol(rtol).is_err(), "{rtol}");
+        assert!(linear(Solver::Tsit45).with_rtol(rtol).is_err(), "{rtol}");
     }
     for rtol in [1e-13, 1e-2] {
-        let ode = linear(Method::Tsit45).with_rtol(rtol).unwrap();
+        let ode = linear(Solver::Tsit45).with_rtol(rtol).unwrap();
         assert_eq!(ode.rtol(), rtol);
         assert!(!matches!(impacts(&ode, &case(1.01, 2.0, 0.9)).ending, Ending::Lost(_)));
     }
-    for method in Method::ALL {
-        assert_eq!(method.name().parse::<Method>(), Ok(method));
+    for method in Solver::ALL {
+        assert_eq!(method.name().parse::<Solver>(), Ok(method));
     }
-    assert!("rk4".parse::<Method>().is_err());
+    assert!("rk4".parse::<Solver>().is_err());
 }
 
 #[test]
 fn names_say_what_is_solved() {
-    let ode = Ode::new(Equation::Nonlinear, Method::TrBdf2);
+    let ode = Ode::new(Equation::Nonlinear, Solver::TrBdf2);
     assert_eq!((ode.name(), ode.model()), ("ode/nonlinear/tr-bdf2", Model::Nonlinear));
-    let ode = linear(Method::Tsit45).with_flights(Flights::Naive);
+    let ode = linear(Solver::Tsit45).with_flights(Flights::Naive);
     assert_eq!((ode.name(), ode.model()), ("ode/linear/tsit45/naive", Model::Linear));
     assert_eq!(ode.with_flights(Flights::Rescaled).name(), "ode/linear/tsit45");
 }
 
 #[test]
 fn incomplete_chattering_lists_the_impacts_before_half_a_period() {
-    for method in Method::ALL {
+    for method in Solver::ALL {
         let history = linear(method).history(&case(1.05, 2.0, 0.92)).unwrap();
         assert_eq!((history.ending, history.impacts.len()), (Ending::Incomplete, 15), "{method}");
         assert!(history.impacts.last().is_some_and(|last| last.time < core::f64::consts::FRAC_PI_2));
@@ -111,7 +111,7 @@ fn the_horizon_can_lie_before_and_past_half_a_period() {
     let half = core::f64::consts::FRAC_PI_2;
     let until = |tau| {
         let case = case(1.05, 2.0, 0.92).with_horizon(Horizon::Until(tau)).unwrap().with_max_impacts(500).unwrap();
-        impacts(&linear(Method::Tsit45), &case)
+        impacts(&linear(Solver::Tsit45), &case)
     };
     let short = until(0.65);
     assert_eq!((short.ending, short.impacts.len()), (Ending::LimitReached(Limit::Time), 1));
@@ -126,7 +126,7 @@ fn the_horizon_can_lie_before_and_past_half_a_period() {
 fn large_amplitudes_overturn_the_block() {
     let block = Slenderness::new(0.2, Normalisation::Threshold).unwrap();
     for equation in [Equation::Linear, Equation::Nonlinear] {
-        for method in Method::ALL {
+        for method in Solver::ALL {
             let case = case(20.0, 0.5, 0.9).with_slenderness(block);
             assert_eq!(impacts(&Ode::new(equation, method), &case).ending, Ending::Overturned, "{method}");
         }
@@ -135,7 +135,7 @@ fn large_amplitudes_overturn_the_block() {
 
 #[test]
 fn at_rest_needs_certainty() {
-    let after = |n| impacts(&linear(Method::Tsit45), &case(1.03, 2.0, 0.92).with_max_impacts(n).unwrap()).ending;
+    let after = |n| impacts(&linear(Solver::Tsit45), &case(1.03, 2.0, 0.92).with_max_impacts(n).unwrap()).ending;
     assert_eq!(after(1), Ending::LimitReached(Limit::Impacts));
     assert_eq!(after(10), Ending::LimitReached(Limit::Impacts));
     assert_eq!(after(200), Ending::AtRest);
@@ -145,7 +145,7 @@ fn at_rest_needs_certainty() {
 fn claims_grow_towards_the_critical_amplitude() {
     // a_cr = 1.0380155387 at omega = 2, eta = 0.92.
     let worst = |a| {
-        let history = linear(Method::Tsit45).history(&case(a, 2.0, 0.92).with_max_impacts(400).unwrap()).unwrap();
+        let history = linear(Solver::Tsit45).history(&case(a, 2.0, 0.92).with_max_impacts(400).unwrap()).unwrap();
         history.impacts.iter().map(|impact| impact.uncertainty.interval).fold(0.0, f64::max)
     };
     let claims = [1.03, 1.038, 1.038_015_5].map(worst);
@@ -155,8 +155,8 @@ fn claims_grow_towards_the_critical_amplitude() {
 #[test]
 fn on_the_global_clock_the_sequence_is_lost_at_depth() {
     let deep = case(1.03, 2.0, 0.92).with_max_impacts(450).unwrap();
-    let truth = impacts(&linear(Method::Tsit45), &deep);
-    for method in Method::ALL {
+    let truth = impacts(&linear(Solver::Tsit45), &deep);
+    for method in Solver::ALL {
         let naive = linear(method).with_flights(Flights::Naive).history(&deep).unwrap();
         assert!(naive.impacts.len() > 10, "{method} does the first impacts");
         let lost = matches!(naive.ending, Ending::Lost(_));
@@ -174,9 +174,9 @@ fn on_the_global_clock_the_sequence_is_lost_at_depth() {
 #[test]
 fn on_the_global_clock_every_way_to_start_a_flight_fails_in_its_own_way() {
     let case = case(1.03, 2.0, 0.92).with_max_impacts(400).unwrap();
-    let truth = linear(Method::Tsit45).impacts(&case).unwrap().impacts;
+    let truth = linear(Solver::Tsit45).impacts(&case).unwrap().impacts;
     let naive =
-        |restart| linear(Method::Tsit45).with_flights(Flights::Naive).with_restart(restart).impacts(&case).unwrap();
+        |restart| linear(Solver::Tsit45).with_flights(Flights::Naive).with_restart(restart).impacts(&case).unwrap();
     let resolved = |impacts: &[Impact]| {
         let pairs = impacts.iter().zip(&truth);
         pairs.take_while(|(found, truth)| (found.interval / truth.interval - 1.0).abs() < 0.01).count()
@@ -196,7 +196,7 @@ fn on_the_global_clock_every_way_to_start_a_flight_fails_in_its_own_way() {
 #[test]
 fn what_a_history_costs_is_counted() {
     let case = case(1.03, 2.0, 0.92);
-    for method in Method::ALL {
+    for method in Solver::ALL {
         let (fine, coarse) = (linear(method), linear(method).with_rtol(1e-4).unwrap());
         let [counted, cheap] = [&fine, &coarse].map(|ode| ode.counted(&case).unwrap());
         assert_eq!(counted.history, fine.impacts(&case).unwrap(), "{method}: counting changes nothing");
@@ -211,7 +211,7 @@ fn on_the_global_clock_odd_cases_neither_panic_nor_hang() {
         let epsilon = 10_f64.powf(random.between(-40.0, 4.0));
         let omega = 10_f64.powf(random.between(-3.0, 3.0));
         let case = Case::from_epsilon(epsilon, omega, random.between(0.05, 0.99)).unwrap();
-        for method in Method::ALL {
+        for method in Solver::ALL {
             let ode = linear(method).with_flights(Flights::Naive);
             for impact in impacts(&ode, &case).impacts {
                 assert!(impact.interval > 0.0 && impact.time.is_finite() && impact.velocity != 0.0);
@@ -225,7 +225,7 @@ fn on_the_global_clock_odd_cases_neither_panic_nor_hang() {
 fn impacts_end_where_the_intervals_have_nothing_left_to_resolve() {
     for eta in [0.5, 0.2] {
         let case = case(1.01, 2.0, eta).with_max_impacts(3000).unwrap();
-        let history = impacts(&linear(Method::Tsit45), &case);
+        let history = impacts(&linear(Solver::Tsit45), &case);
         let [before @ .., last] = &history.impacts[..] else { panic!("no impacts") };
         assert_eq!(history.ending, Ending::AtRest);
         assert!(last.interval < 1e-140 && before.iter().all(|impact| impact.interval >= 1e-140), "{last:?}");
@@ -234,9 +234,9 @@ fn impacts_end_where_the_intervals_have_nothing_left_to_resolve() {
 
 #[test]
 fn what_was_asked_for_is_told() {
-    let ode = Ode::new(Equation::Nonlinear, Method::Bdf).with_rtol(1e-7).unwrap().with_flights(Flights::Naive);
-    assert_eq!((ode.equation(), ode.method(), ode.flights()), (Equation::Nonlinear, Method::Bdf, Flights::Naive));
-    assert_eq!((ode.rtol(), Method::TrBdf2.to_string().as_str()), (1e-7, "tr-bdf2"));
+    let ode = Ode::new(Equation::Nonlinear, Solver::Bdf).with_rtol(1e-7).unwrap().with_flights(Flights::Naive);
+    assert_eq!((ode.equation(), ode.method(), ode.flights()), (Equation::Nonlinear, Solver::Bdf, Flights::Naive));
+    assert_eq!((ode.rtol(), Solver::TrBdf2.to_string().as_str()), (1e-7, "tr-bdf2"));
 }
 
 /// While the clock still shows the flights it does the same as their own units do, and it ends as they do.
@@ -246,9 +246,9 @@ fn on_the_global_clock_the_first_impacts_and_the_endings_are_right() {
     let until = |tau| case(1.05, 2.0, 0.92).with_horizon(Horizon::Until(tau)).unwrap();
     let blocks = [case(1.03, 2.0, 0.92).with_max_impacts(8).unwrap(), case(1.05, 2.0, 0.92), until(0.65), until(half)];
     for case in blocks.into_iter().chain([case(20.0, 0.5, 0.9), case(1.02, 6.0, 0.8).with_max_impacts(6).unwrap()]) {
-        let truth = impacts(&linear(Method::Tsit45), &case);
+        let truth = impacts(&linear(Solver::Tsit45), &case);
         for (method, error) in
-            [(Method::Tsit45, 1e-6), (Method::Bdf, 1e-2), (Method::TrBdf2, 3e-2), (Method::Esdirk34, 1e-4)]
+            [(Solver::Tsit45, 1e-6), (Solver::Bdf, 1e-2), (Solver::TrBdf2, 3e-2), (Solver::Esdirk34, 1e-4)]
         {
             let naive = impacts(&linear(method).with_flights(Flights::Naive), &case);
             assert_eq!((naive.ending, naive.impacts.len()), (truth.ending, truth.impacts.len()), "{method} {case:?}");

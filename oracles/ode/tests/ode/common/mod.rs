@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 use contract::{Case, History};
-use ode::{Equation, Method, Ode};
+use ode::{Equation, Ode, Solver};
 
 /// SplitMix64.
 pub struct Random(pub u64);
@@ -26,7 +26,7 @@ pub fn case(a: f64, omega: f64, eta: f64) -> Case {
     Case::from_amplitude(a, omega, eta).unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn linear(method: Method) -> Ode {
+pub fn linear(method: Solver) -> Ode {
     Ode::new(Equation::Linear, method)
 }
 
