@@ -11,7 +11,7 @@ use asymptotic::{Asymptotic, Expansion, Resummed};
 use closed_form::{ClosedForm, batch::InstructionSet};
 use contract::{Case, History, Model, Oracle};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use ode::{Equation, Method, Ode};
+use ode::{Equation, Ode, Solver};
 use taylor::Taylor;
 
 use verified::{Batched, IMPACTS, one_thread, verify_impacts, workload};
@@ -23,21 +23,21 @@ fn nonlinear_model(name: &str) -> bool {
 
 fn throughput(criterion: &mut Criterion) {
     let cases = workload(200);
-    let linear = |method: Method, rtol: f64| {
+    let linear = |method: Solver, rtol: f64| {
         let ode = Ode::new(Equation::Linear, method).with_rtol(rtol).expect("in range");
         move |case: &Case| ode.impacts(case).ok()
     };
-    let nonlinear = Ode::new(Equation::Nonlinear, Method::Tsit45).with_rtol(1e-10).expect("in range");
+    let nonlinear = Ode::new(Equation::Nonlinear, Solver::Tsit45).with_rtol(1e-10).expect("in range");
     let paper = Asymptotic::new();
     type Run = Box<dyn Fn(&Case) -> Option<History>>;
     // The tolerance that the answer has to meet before it is timed: generous for methods of low order, and for the other model.
     let oracles: Vec<(&str, f64, Run)> = vec![
         ("closed-form", 1e-12, Box::new(|case| ClosedForm.history(case).ok())),
         ("taylor", 1e-6, Box::new(|case| Taylor.history(case).ok())),
-        ("ode/linear/tsit45 rtol=1e-10", 1e-5, Box::new(linear(Method::Tsit45, 1e-10))),
-        ("ode/linear/bdf rtol=1e-9", 1e-3, Box::new(linear(Method::Bdf, 1e-9))),
-        ("ode/linear/tr-bdf2 rtol=1e-8", 5e-2, Box::new(linear(Method::TrBdf2, 1e-8))),
-        ("ode/linear/esdirk34 rtol=1e-10", 1e-3, Box::new(linear(Method::Esdirk34, 1e-10))),
+        ("ode/linear/tsit45 rtol=1e-10", 1e-5, Box::new(linear(Solver::Tsit45, 1e-10))),
+        ("ode/linear/bdf rtol=1e-9", 1e-3, Box::new(linear(Solver::Bdf, 1e-9))),
+        ("ode/linear/tr-bdf2 rtol=1e-8", 5e-2, Box::new(linear(Solver::TrBdf2, 1e-8))),
+        ("ode/linear/esdirk34 rtol=1e-10", 1e-3, Box::new(linear(Solver::Esdirk34, 1e-10))),
         ("ode/nonlinear/tsit45 rtol=1e-10", 1e-5, Box::new(move |case| nonlinear.impacts(case).ok())),
         // The series is off by a multiple of epsilon: it is timed for what it is.
         ("asymptotic/paper", 10.0, Box::new(move |case| paper.history(case).ok())),
@@ -69,7 +69,7 @@ fn throughput(criterion: &mut Criterion) {
 /// The cost of one sequence against its depth: how many impacts are followed.
 fn depth(criterion: &mut Criterion) {
     let case = Case::from_amplitude(1.03, 2.0, 0.92).expect("a case");
-    let tsit45 = Ode::new(Equation::Linear, Method::Tsit45).with_rtol(1e-10).expect("in range");
+    let tsit45 = Ode::new(Equation::Linear, Solver::Tsit45).with_rtol(1e-10).expect("in range");
     verify_impacts("closed-form", Model::Linear, &|case| ClosedForm.history(case).ok(), 1e-12);
     verify_impacts("ode", Model::Linear, &|case| tsit45.impacts(case).ok(), 1e-6);
     Batched::verify(InstructionSet::fastest(), 1e-12);

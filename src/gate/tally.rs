@@ -16,7 +16,6 @@ use crate::{
         identity::Identity,
         pair::Pair,
     },
-    measure::observables::Observable,
 };
 
 /// What is gathered case by case.

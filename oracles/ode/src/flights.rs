@@ -12,7 +12,7 @@ use crate::launch::{Equations, Launch, Outcome};
 use crate::run::{Task, rescaled};
 
 /// The flights of one block under one motion of the ground. Each has a solver of its own.
-pub(crate) struct Solver {
+pub(crate) struct SingleFlights {
     pub method: Solver,
     pub rtol: f64,
     pub eta: f64,
@@ -34,7 +34,7 @@ impl Task for Single {
     }
 }
 
-impl Solver {
+impl SingleFlights {
     fn follow(&self, departure: &Departure, horizon: f64, watched: bool) -> (Outcome, (f64, f64)) {
         let Departure { ground, time, side, rotation, velocity } = *departure;
         let motion = match ground {
@@ -48,7 +48,7 @@ impl Solver {
     }
 }
 
-impl FlightSolver for Solver {
+impl FlightSolver for SingleFlights {
     fn fly(&self, departure: &Departure, horizon: f64) -> Arrival {
         let (outcome, (rotation, velocity)) = self.follow(departure, horizon, false);
         match outcome {

@@ -256,6 +256,6 @@ impl Oracle for Ode {
     fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
         let motion = Motion::new(case, self.equation)?;
         let motion = motion.ok_or(Decline::Unsupported { what: "flights of a block that never rocks" })?;
-        Ok(Box::new(flights::Solver { method: self.method, rtol: self.rtol, eta: case.eta(), motion }))
+        Ok(Box::new(flights::SingleFlights { method: self.method, rtol: self.rtol, eta: case.eta(), motion }))
     }
 }
