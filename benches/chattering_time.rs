@@ -17,7 +17,7 @@ use closed_form::ClosedForm;
 use contract::{Case, Model, Oracle};
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main, measurement::WallTime};
 use enclosure::Enclosure;
-use ode::{Equation, Method, Ode};
+use ode::{Equation, Ode, Solver};
 use printed::Printed;
 
 use verified::{Proven, chattering_time, proven};
@@ -44,7 +44,7 @@ fn setting(oracle: impl Oracle + 'static, impacts: usize, name: impl Into<String
 fn methods() -> Vec<Candidate> {
     let by_depth = |name, oracle: fn(usize) -> Setting| Candidate { name, settings: DEPTHS.map(oracle).into() };
     let mut methods = vec![by_depth("closed-form", |n| setting(ClosedForm, n, format!("{n} impacts")))];
-    for (name, method) in [("ode/tsit45", Method::Tsit45), ("ode/bdf", Method::Bdf), ("ode/esdirk34", Method::Esdirk34)]
+    for (name, method) in [("ode/tsit45", Solver::Tsit45), ("ode/bdf", Solver::Bdf), ("ode/esdirk34", Solver::Esdirk34)]
     {
         let mut settings = Vec::new();
         for rtol in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {

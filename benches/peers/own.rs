@@ -13,7 +13,7 @@ use closed_form::{
 };
 use contract::{Case, Decline, Ending, History, Model, Oracle};
 use enclosure::Enclosure;
-use ode::{Equation, Flights, Method, Ode};
+use ode::{Equation, Flights, Ode, Solver};
 use proptest::{
     prelude::*,
     strategy::ValueTree,
@@ -80,16 +80,16 @@ fn oracles() -> Vec<(String, Run)> {
     ];
     let series = Asymptotic::new().with_order(Order::Terms(16)).expect("in range");
     oracles.push(("asymptotic/order-16, with its claims".into(), Box::new(move |case| series.history(case))));
-    let mut add = |method: Method, rtol, flights| {
+    let mut add = |method: Solver, rtol, flights| {
         let ode = Ode::new(Equation::Linear, method).with_flights(flights).with_rtol(rtol).expect("in range");
         oracles.push((format!("{}, rtol {rtol:e}", ode.name()), Box::new(move |case| ode.impacts(case))));
     };
-    add(Method::Tsit45, 1e-12, Flights::Rescaled);
-    add(Method::Tsit45, 1e-10, Flights::Rescaled);
-    add(Method::Esdirk34, 1e-10, Flights::Rescaled);
-    add(Method::Bdf, 1e-9, Flights::Rescaled);
-    add(Method::TrBdf2, 1e-8, Flights::Rescaled);
-    add(Method::Tsit45, 1e-12, Flights::Naive);
+    add(Solver::Tsit45, 1e-12, Flights::Rescaled);
+    add(Solver::Tsit45, 1e-10, Flights::Rescaled);
+    add(Solver::Esdirk34, 1e-10, Flights::Rescaled);
+    add(Solver::Bdf, 1e-9, Flights::Rescaled);
+    add(Solver::TrBdf2, 1e-8, Flights::Rescaled);
+    add(Solver::Tsit45, 1e-12, Flights::Naive);
     oracles
 }
 

@@ -8,7 +8,7 @@ use chattercheck::{
     gate::{
         judge::Judges,
         report::{self, Report},
-        responses::{self, BoutEnding, Finding, Law, Responder, Selection, What, Whole, Wrong},
+        responses::{self, BoutEnding, Finding, Law, Responder, What, Whole, Wrong},
         run::{self, Selection},
     },
     motion::{response::Termination, scene::Scene},
@@ -155,7 +155,7 @@ fn spoilt(spoil: fn(&mut Whole, &Shaking)) -> Spoilt {
 
 /// The responses in which mistakes are looked for.
 fn shakings() -> Vec<(String, Shaking)> {
-    responses::shakings(&Selection { responses: 150, seed: 1, partition: (1, 1) })
+    responses::shakings(&responses::Selection { responses: 150, seed: 1, partition: (1, 1) })
 }
 
 /// Whether this is found of a method in one of them.
@@ -355,7 +355,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
         Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking }
     }
     let (one, two) = (other("one"), other("two"));
-    let request = Selection { responses: 20, seed: 1, partition: (1, 1) };
+    let request = responses::Selection { responses: 20, seed: 1, partition: (1, 1) };
     let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), &());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
@@ -368,7 +368,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 #[test]
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
-    let request = Selection { responses: 40, seed: 1, partition: (1, 1) };
+    let request = responses::Selection { responses: 40, seed: 1, partition: (1, 1) };
     let (_, failures) = responses::run(&[&method], &responses::shakings(&request), &());
     let failure = &failures[0];
     let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);
