@@ -10,6 +10,7 @@ use chattercheck::{
         report::{self, Report},
         run::{self, Selection},
         shrink::{shrink, unshrunk},
+        verdict::Verdict,
     },
     panel,
 };
@@ -91,10 +92,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     watch.end();
     let report = Report::new(&run, &panel::roles()).with_responses(of_responses);
     // First what was found: shrinking may take a while.
-    let status = match report.passes() {
-        true => Status::Well,
-        false if report.is_undecided() => Status::Failed,
-        false => Status::Disagreed,
+    let status = match report.verdict {
+        Verdict::Pass => Status::Well,
+        Verdict::Undecided => Status::Failed,
+        Verdict::Fail => Status::Disagreed,
     };
     let tables = if arguments.full { format!("\n{}", report::full(&report)) } else { String::new() };
     let text = format!("{}{}{tables}", report::text(&report), next(&report, arguments.full, replays));
@@ -112,15 +113,17 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 /// What to do next, in a line.
 fn next(report: &Report, full: bool, folder: &Path) -> String {
     let tables = if full { "" } else { "; --full prints every pair, claim and law" };
-    if report.passes() {
-        format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1))
-    } else if report.failures.is_empty() && report.responses.as_ref().is_none_or(|of| of.failures.is_empty()) {
-        format!("next: see which oracles the shortfalls name{tables}\n")
-    } else {
-        let folder = folder.display();
-        format!(
-            "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`, scenes with `chattercheck response`{tables}\n"
-        )
+    let failed = report.failures.len() + report.responses.as_ref().map_or(0, |of| of.failures.len());
+    match report.verdict {
+        Verdict::Pass => format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1)),
+        Verdict::Undecided => "next: run it again to its end; --partition K/N runs a share of the cases\n".to_owned(),
+        Verdict::Fail if failed == 0 => format!("next: see which oracles the shortfalls name{tables}\n"),
+        Verdict::Fail => {
+            let folder = folder.display();
+            format!(
+                "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`, scenes with `chattercheck response`{tables}\n"
+            )
+        }
     }
 }
 

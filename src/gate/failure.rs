@@ -134,3 +134,13 @@ pub fn by_cause<T>(failures: &[T], cause: impl Fn(&T) -> Cause) -> Vec<(Cause, V
     }
     groups
 }
+
+/// How many names of failures like the one that is shown are given.
+const NAMES: usize = 4;
+
+/// Where else the same is wrong, in a line.
+pub fn likewise(names: &[&str]) -> String {
+    let shown = names.iter().take(NAMES).copied().collect::<Vec<_>>().join(", ");
+    let more = if names.len() > NAMES { format!(" and {} more", names.len() - NAMES) } else { String::new() };
+    format!("likewise {shown}{more}")
+}

@@ -17,6 +17,7 @@ use crate::{
         roles::Roles,
         run::Run,
         tolerance,
+        verdict::Verdict,
     },
     measure::observables::Observable,
 };
@@ -304,6 +305,11 @@ fn out_of_date(run: &Run) -> impl Iterator<Item = Shortfall> {
 }
 
 impl Shortfall {
+    /// What it means for the run.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::of_shortfall(matches!(self, Self::Interrupted { .. }))
+    }
+
     /// Without the numbers of a ladder, for tables.
     pub fn in_short(&self) -> String {
         match self {

@@ -137,8 +137,40 @@ pub const JUDGED: Tolerance = Tolerance {
     reason: "It may be undecided next to a_cr or a grazing impact; a judge that says nothing proves nothing.",
 };
 
+/// In how many whole responses it may be too close to call what happens.
+pub const RESPONSES_TOO_CLOSE: Tolerance = Tolerance {
+    applies_to: "whole responses of a run",
+    value: 0.25,
+    meaning: "largest share of the responses in which it is too close to call what happens from some time on",
+    reason: "A response that is followed over many bouts may come arbitrarily near to a bifurcation; 5 of the 200 of the default run do.",
+};
+
+/// How many whole responses a method may decline.
+pub const RESPONSES_DECLINED: Tolerance = Tolerance {
+    applies_to: "one method over the whole responses of a run",
+    value: 0.05,
+    meaning: "largest share of the responses that its model can be asked which it declines",
+    reason: "Responses are made for the methods that follow them: a decline is a rare corner, not a way out.",
+};
+
+/// How much of its allowance a method has to come near to in whole responses.
+pub const RESPONSES_USED: Tolerance = Tolerance {
+    applies_to: "one method over the whole responses of a run",
+    value: 1e-3,
+    meaning: "smallest share of the allowance that the worst impact has to use",
+    reason: "What is allowed follows from how far the problem itself moves; a method of which no impact comes near could be wrong unseen.",
+};
+
+/// How many whole responses a run needs before it has to reach everything.
+pub const RESPONSES_WHOLE: Tolerance = Tolerance {
+    applies_to: "whole responses of a run",
+    value: 200.0,
+    meaning: "fewest responses of which every kind has to be met, and the three shares above are judged",
+    reason: "Of the 200 of the default run, four or more are of every kind.",
+};
+
 /// Every entry.
-pub const TABLE: [&Tolerance; 14] = [
+pub const TABLE: [&Tolerance; 18] = [
     &SAME_MODEL,
     &BACKWARD,
     &ACROSS_MODELS,
@@ -153,4 +185,8 @@ pub const TABLE: [&Tolerance; 14] = [
     &CALIBRATION,
     &RECALIBRATION,
     &JUDGED,
+    &RESPONSES_TOO_CLOSE,
+    &RESPONSES_DECLINED,
+    &RESPONSES_USED,
+    &RESPONSES_WHOLE,
 ];

@@ -1,4 +1,4 @@
-//! What a run found, as data; and as text and JUnit. It counts and decides nothing itself.
+//! What a run found, as data; and as text and JUnit. It counts and decides nothing itself: `shortfall` and `verdict` do.
 
 mod junit;
 mod tables;
@@ -13,7 +13,7 @@ use crate::{
     gate::{
         calibration::ClaimOverError,
         counting::WorstFigure,
-        expected,
+        expected::{self, Differs},
         failure::{Cause, Failure},
         finding::Finding,
         identity::Identity,
@@ -103,7 +103,9 @@ pub struct Known {
     pub reason: String,
     /// In how many cases, or ladders, the two were seen side by side in that regime.
     pub cases: usize,
-    /// The largest relative difference that was seen; 1 for endings and orders that differ.
+    /// In what they differ.
+    pub observable: Differs,
+    /// The largest relative difference that was seen; of endings and orders, 1 where they differed and 0 where they did not.
     pub largest: f64,
 }
 
@@ -153,7 +155,7 @@ impl Report {
         let tally = &run.tally;
         let (shortfalls, not_judged) = shortfalls(run, roles);
         let failures: Vec<FailedCase> = run.failures.iter().map(FailedCase::from).collect();
-        let green = failures.is_empty() && shortfalls.is_empty();
+        let verdict = Verdict::of(failures.len(), shortfalls.iter().map(Shortfall::verdict));
         let claims = tally.claims.iter().map(|(oracle, claims)| (oracle.clone(), claims.figures())).collect();
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -172,30 +174,20 @@ impl Report {
             shortfalls,
             not_judged,
             responses: None,
-            verdict: if green { Verdict::Pass } else { Verdict::Fail },
+            verdict,
         }
     }
 
     /// The same with what was found in whole responses: one of them that is wrong turns the run red as a case does.
     #[must_use]
     pub fn with_responses(self, responses: Option<responses::Report>) -> Self {
-        let passes = responses.as_ref().is_none_or(responses::Report::passes);
-        Self { responses, verdict: if passes { self.verdict } else { Verdict::Fail }, ..self }
+        let verdict = self.verdict.max(responses.as_ref().map_or(Verdict::Pass, responses::Report::verdict));
+        Self { responses, verdict, ..self }
     }
 
     /// Whether nothing was wrong.
     pub fn passes(&self) -> bool {
         self.verdict == Verdict::Pass
-    }
-
-    /// Whether nothing was wrong as far as the run came, but it was interrupted: there is no verdict.
-    pub fn is_undecided(&self) -> bool {
-        let is_interrupted = |shortfall| matches!(shortfall, &Shortfall::Interrupted { .. });
-        let responses = self.responses.as_ref();
-        self.failures.is_empty()
-            && self.shortfalls.iter().all(is_interrupted)
-            && responses.is_none_or(|of| of.failures.is_empty() && (of.passes() || !of.left_out.is_empty()))
-            && !self.passes()
     }
 }
 
@@ -206,7 +198,13 @@ fn known(run: &Run) -> Vec<Known> {
             met.add(expected::Met { cases: 1, largest: f64::from(!descent.holds()) });
         }
         let (divergence, reason) = (entry.says(), entry.reason.clone());
-        (met.cases > 0).then_some(Known { divergence, reason, cases: met.cases, largest: met.largest })
+        (met.cases > 0).then_some(Known {
+            divergence,
+            reason,
+            cases: met.cases,
+            observable: entry.observable,
+            largest: met.largest,
+        })
     });
     entries.collect()
 }

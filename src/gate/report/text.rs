@@ -7,7 +7,8 @@ use crate::{
     gate::{
         compare::{Disagreement, Figure},
         counting::WorstFigure,
-        failure::{by_cause, common},
+        expected::Differs,
+        failure::{by_cause, common, likewise},
         finding::Finding,
         ladder::Descent,
         responses,
@@ -23,7 +24,7 @@ pub fn text(report: &Report) -> String {
     {
         let _ = writeln!(out, "{line}");
     }
-    if report.verdict == Verdict::Fail {
+    if report.verdict != Verdict::Pass {
         out.push('\n');
     }
     for shortfall in &report.shortfalls {
@@ -35,9 +36,8 @@ pub fn text(report: &Report) -> String {
         let _ = writeln!(out, "{} of {} failed cases point to {cause}", group.len(), report.failures.len());
         let _ = writeln!(out, "{}", failure_text(first));
         if !others.is_empty() {
-            let shown: Vec<&str> = others.iter().take(NAMES).map(|failure| failure.name.as_str()).collect();
-            let more = if others.len() > NAMES { format!(" and {} more", others.len() - NAMES) } else { String::new() };
-            let _ = writeln!(out, "  likewise {}{more}", shown.join(", "));
+            let names: Vec<&str> = others.iter().map(|failure| failure.name.as_str()).collect();
+            let _ = writeln!(out, "  {}", likewise(&names));
         }
     }
     if groups.len() > CAUSES {
@@ -48,29 +48,36 @@ pub fn text(report: &Report) -> String {
     out
 }
 
-/// How many causes are shown, one case each, and how many other cases of each are named.
+/// How many causes are shown, one case each.
 const CAUSES: usize = 5;
-const NAMES: usize = 4;
 
 fn verdict(report: &Report) -> String {
     let (cases, oracles) = (report.reach.cases, report.oracles.len());
-    let of_responses = report.responses.as_ref().map_or_else(String::new, |of| match report.verdict {
-        Verdict::Pass => format!(" and {} whole responses", of.responses),
-        Verdict::Fail if of.passes() => String::new(),
-        Verdict::Fail => format!("; {} of {} whole responses failed", of.failures.len(), of.responses),
-    });
+    let responses = report.responses.as_ref();
     let said = match report.verdict {
-        Verdict::Pass => format!("{oracles} oracles agree on {cases} cases"),
+        Verdict::Pass => {
+            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.responses));
+            format!("{oracles} oracles agree on {cases} cases{and}")
+        }
+        Verdict::Undecided => {
+            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.responses));
+            format!("interrupted; nothing was wrong in {cases} cases{and}")
+        }
         Verdict::Fail => {
             let failed = format!("{} of {cases} cases failed", report.failures.len());
-            match report.shortfalls.len() {
-                0 => failed,
-                1 => format!("{failed}, and the run as a whole falls short"),
-                count => format!("{failed}, and the run as a whole falls short in {count} ways"),
-            }
+            let short = match report.shortfalls.len() {
+                0 => String::new(),
+                1 => ", and the run as a whole falls short".to_owned(),
+                count => format!(", and the run as a whole falls short in {count} ways"),
+            };
+            let wrong = responses.filter(|of| of.verdict() == Verdict::Fail && of.responses > 0);
+            let wrong = wrong.map_or_else(String::new, |of| {
+                format!("; {} of {} whole responses failed", of.failures.len(), of.responses)
+            });
+            failed + &short + &wrong
         }
     };
-    format!("{}: {said}{of_responses} (chattercheck {}, seed {})\n", report.verdict, report.version, report.seed)
+    format!("{}: {said} (chattercheck {}, seed {})\n", report.verdict, report.version, report.seed)
 }
 
 fn exercised(report: &Report) -> Vec<String> {
@@ -156,11 +163,16 @@ fn left_out(report: &Report) -> Vec<String> {
         add("undecided", format!("{close} endings in {pairs} pairs, nearer to a_cr than the two claim to know"));
     }
     for known in &report.known {
-        // Endings and orders differ or do not.
-        let by = if known.largest < 1.0 { format!("by up to {:.0} % ", 100.0 * known.largest) } else { String::new() };
-        add("known", format!("{}: {by}in {} comparisons", known.divergence, known.cases));
+        let how = match known.observable {
+            Differs::ChatteringTime => format!("by up to {:.0} % in", 100.0 * known.largest),
+            // Endings and orders differ or do not.
+            Differs::Ending | Differs::Order if known.largest > 0.0 => "in some of".to_owned(),
+            Differs::Ending | Differs::Order => "in none of".to_owned(),
+        };
+        add("known", format!("{}: {how} {} comparisons", known.divergence, known.cases));
     }
-    for not in &report.not_judged {
+    let of_responses = report.responses.iter().flat_map(|of| &of.not_judged);
+    for not in report.not_judged.iter().chain(of_responses) {
         add("not judged", format!("{}: too few cases, {} of {}", not.what, not.cases, not.needed));
     }
     lines

@@ -2,6 +2,8 @@
 
 use std::{cell::Cell, fmt};
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     follower::Followed,
     reference::Reference,
@@ -18,7 +20,7 @@ const WIDE: f64 = 1e-3;
 const OUT_OF_SIGHT: f64 = 5.0;
 
 /// Where and how a response differs.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Difference {
     /// When, `τ`.
     pub time: f64,
@@ -33,7 +35,8 @@ pub struct Difference {
 }
 
 /// What a response differs in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum What {
     /// It has one bout fewer.
     NoBout,

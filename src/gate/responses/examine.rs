@@ -3,6 +3,7 @@
 use std::fmt;
 
 use contract::Model;
+use serde::{Deserialize, Serialize};
 
 use super::{
     compare::{self, Difference},
@@ -48,20 +49,31 @@ pub enum Compared {
 }
 
 /// Something wrong with the response of one method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// The method.
     pub method: String,
     /// The equation of motion that it solves.
+    #[serde(with = "ModelName")]
     pub model: Model,
     /// What is wrong.
     pub wrong: Wrong,
     /// Other methods of which the same is wrong at the same place, and which so agree with this one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub agreeing: Vec<String>,
 }
 
+/// The contract knows no files: this is how a report writes its models.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Model", rename_all = "kebab-case")]
+enum ModelName {
+    Linear,
+    Nonlinear,
+}
+
 /// What is wrong with a response.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Wrong {
     /// A law is broken, at this time.
     Breaks(Law, f64),

@@ -1,5 +1,7 @@
 //! What holds in every response whoever made it, read off the response and the ground alone.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     ground::Problem,
     whole::{BoutEnding, Row, State, Whole},
@@ -11,7 +13,8 @@ const NEAR: f64 = 1e-9;
 const LOOKS: u32 = 32;
 
 /// A law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Law {
     /// Time never decreases: impacts, bouts and rows come in order.
     Order,

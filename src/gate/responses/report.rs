@@ -5,20 +5,15 @@ use std::{collections::BTreeMap, fmt::Write};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    examine::{Compared, Examination},
+    examine::{Compared, Examination, Finding},
     failure::Failure,
     reach::Example,
+    shortfall::{Shortfall, shortfalls},
 };
-use crate::cases::shaking::Shaking;
-
-/// At most this share of the responses may be too close to call, from some time on.
-const MOST_TOO_CLOSE: f64 = 0.25;
-/// A method may decline this share of the responses that its model can be asked.
-const MOST_DECLINED: f64 = 0.05;
-/// Some impact has to use this share of what is allowed: more would let mistakes pass.
-const LEAST_USED: f64 = 1e-3;
-/// A run of at least so many responses has to reach everything.
-const WHOLE_RUN: usize = 200;
+use crate::{
+    cases::shaking::Shaking,
+    gate::{failure::likewise, shortfall::NotJudged, verdict::Verdict},
+};
 
 /// What was found in the responses of a run.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -39,7 +34,10 @@ pub struct Report {
     /// Those in which something was wrong.
     pub failures: Vec<Failed>,
     /// What is wrong with the run as a whole.
-    pub shortfalls: Vec<String>,
+    pub shortfalls: Vec<Shortfall>,
+    /// What the run was too small to judge.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_judged: Vec<NotJudged>,
 }
 
 /// What was compared of one method.
@@ -81,7 +79,7 @@ pub struct Failed {
     /// When the response ends at the latest; none for where nothing can happen any more.
     pub until: Option<f64>,
     /// What was wrong.
-    pub findings: Vec<String>,
+    pub findings: Vec<Finding>,
 }
 
 impl Report {
@@ -113,40 +111,13 @@ impl Report {
     /// With the failures, and what the run as a whole fails to prove.
     pub(super) fn concluded(mut self, failures: &[Failure]) -> Self {
         self.failures = failures.iter().map(Failed::from).collect();
-        if !self.left_out.is_empty() {
-            let all = self.responses + self.left_out.len();
-            self.shortfalls = vec![format!("interrupted after {} of {all} responses", self.responses)];
-            return self;
-        }
-        let all = self.responses;
-        let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
-        let mut shortfalls = Vec::new();
-        if all >= WHOLE_RUN && share(self.too_close, all) > MOST_TOO_CLOSE {
-            shortfalls.push(format!("{} of {all} responses are too close to call", self.too_close));
-        }
-        for (name, method) in &self.methods {
-            let asked = method.answered + method.declined;
-            if all >= WHOLE_RUN && share(method.declined, asked) > MOST_DECLINED {
-                shortfalls.push(format!("{name} declined {} of {asked} responses", method.declined));
-            }
-            if all >= WHOLE_RUN && method.wrong == 0 && method.used < LEAST_USED {
-                shortfalls.push(format!("{name} is allowed so much that no impact uses {LEAST_USED:.0e} of it"));
-            }
-            if all >= WHOLE_RUN && method.impacts == 0 {
-                shortfalls.push(format!("{name}: no impact of a whole response was compared"));
-            }
-        }
-        let missing = Example::ALL.into_iter().filter(|reach| !self.reach.contains_key(reach));
-        if all >= WHOLE_RUN {
-            shortfalls.extend(missing.map(|reach| format!("no response that {}", reach.name())));
-        }
-        self.shortfalls = shortfalls;
+        (self.shortfalls, self.not_judged) = shortfalls(&self);
         self
     }
 
-    /// Whether nothing was wrong.
-    pub fn passes(&self) -> bool {
-        self.failures.is_empty() && self.shortfalls.is_empty()
+    /// What the responses make of the run.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::of(self.failures.len(), self.shortfalls.iter().map(Shortfall::verdict))
     }
 }
 
@@ -162,13 +133,10 @@ impl From<&Failure> for Failed {
             phase,
             lasts,
             until: Some(until).filter(|until| until.is_finite()),
-            findings: failure.findings.iter().map(ToString::to_string).collect(),
+            findings: failure.findings.clone(),
         }
     }
 }
-
-/// How many failed responses the text shows.
-const SHOWN: usize = 5;
 
 /// What was exercised, in lines of a head and what is said.
 pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
@@ -193,13 +161,42 @@ pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// What went wrong, one thing after the other; empty where nothing did.
+/// What went wrong, one thing after the other; empty where nothing did. Of responses in which the same is wrong with the same method, one is shown.
 pub fn failures_text(report: &Report) -> String {
-    let shortfalls = report.shortfalls.iter().map(|shortfall| format!("SHORTFALL: {shortfall}\n"));
-    let failures = report.failures.iter().take(SHOWN).map(|failed| failed.text() + "\n");
-    let more = report.failures.len().saturating_sub(SHOWN);
-    let more = (more > 0).then(|| format!("and {more} more failed responses, all in the JSON report\n"));
-    shortfalls.chain(failures).chain(more).collect()
+    let mut text: String = report.shortfalls.iter().map(|shortfall| format!("SHORTFALL: {shortfall}\n")).collect();
+    let groups = by_kind(&report.failures);
+    for group in groups.iter().take(SHOWN) {
+        let Some((first, others)) = group.split_first() else { continue };
+        text += &format!("{}\n", first.text());
+        if !others.is_empty() {
+            text += &format!("  {}\n", likewise(&others.iter().map(|failed| failed.name.as_str()).collect::<Vec<_>>()));
+        }
+    }
+    if groups.len() > SHOWN {
+        let more: usize = groups.iter().skip(SHOWN).map(Vec::len).sum();
+        text += &format!("and {} other kinds of failure, in {more} more whole responses\n", groups.len() - SHOWN);
+    }
+    text
+}
+
+/// How many kinds of failure the text shows.
+const SHOWN: usize = 5;
+
+/// Failed responses by what is wrong with which methods, in the order in which each was first met.
+fn by_kind(failures: &[Failed]) -> Vec<Vec<&Failed>> {
+    let alike = |one: &Failed, other: &Failed| {
+        let mut pairs = one.findings.iter().zip(&other.findings);
+        let same = |(one, other): (&Finding, &Finding)| one.method == other.method && one.wrong.resembles(&other.wrong);
+        one.findings.len() == other.findings.len() && pairs.all(same)
+    };
+    let mut groups: Vec<Vec<&Failed>> = Vec::new();
+    for failed in failures {
+        match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, failed))) {
+            Some(group) => group.push(failed),
+            None => groups.push(vec![failed]),
+        }
+    }
+    groups
 }
 
 /// Every kind of response, and every method, in a line.

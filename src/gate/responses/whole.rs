@@ -1,6 +1,7 @@
 //! A whole response as the gate sees it, whoever made it, and who may be asked for one.
 
 use contract::Model;
+use serde::{Deserialize, Serialize};
 
 use crate::cases::shaking::Shaking;
 
@@ -63,7 +64,8 @@ pub struct Impact {
 }
 
 /// How a bout ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum BoutEnding {
     /// With rest.
     Rest,
