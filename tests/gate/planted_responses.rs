@@ -188,7 +188,9 @@ fn the_method_without_a_mistake_is_green() {
     assert!(report.verdict() == Verdict::Pass && failures.is_empty());
     let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), &());
     assert!(
-        report.verdict() == Verdict::Fail && !failures.is_empty() && report.methods["mistaken"].wrong == failures.len()
+        report.verdict() == Verdict::Fail
+            && !failures.is_empty()
+            && report.tally.methods["mistaken"].wrong == failures.len()
     );
 }
 

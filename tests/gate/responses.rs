@@ -45,12 +45,16 @@ impl Responder for Nobody {
 fn random_responses_reach_every_regime() {
     for model in [Model::Linear, Model::Nonlinear] {
         let (report, _) = run(&[&Nobody(model)], &request(Selection::DEFAULT));
-        assert_eq!((report.responses, report.methods["nobody"].answered), (Selection::DEFAULT, 0));
+        assert_eq!((report.tally.responses, report.tally.methods["nobody"].answered), (Selection::DEFAULT, 0));
         for reach in Example::ALL {
-            let found = report.reach.get(&reach).copied().unwrap_or_default();
+            let found = report.tally.reach.get(&reach).copied().unwrap_or_default();
             assert!(found >= 4, "{model:?}: {found} responses: {}", reach.name());
         }
-        assert!(report.too_close <= Selection::DEFAULT / 20, "{model:?}: {} too close to call", report.too_close);
+        assert!(
+            report.tally.too_close <= Selection::DEFAULT / 20,
+            "{model:?}: {} too close to call",
+            report.tally.too_close
+        );
         let all = Shortfall::Declined { method: "nobody".into(), declined: 200, asked: 200 };
         let nothing = Shortfall::NoImpact { method: "nobody".into() };
         // A block without a slenderness is not asked of the nonlinear model.

@@ -59,13 +59,13 @@ fn unsuccessful(kind: NonSuccessKind, text: &str) -> TestCaseStatus {
 /// One test case for each whole response, and one for the run of them as a whole.
 fn suite_of_responses(report: &responses::Report) -> TestSuite {
     let mut suite = TestSuite::new("whole responses");
-    for name in &report.names {
+    for name in &report.tally.names {
         let failed = report.failures.iter().find(|failed| failed.name == *name);
         let status =
             failed.map_or_else(TestCaseStatus::success, |failed| unsuccessful(NonSuccessKind::Failure, &failed.text()));
         suite.add_test_case(TestCase::new(name.clone(), status));
     }
-    for name in &report.left_out {
+    for name in &report.tally.left_out {
         suite.add_test_case(TestCase::new(name.clone(), TestCaseStatus::skipped()));
     }
     let status = as_a_whole(&report.shortfalls, responses::Shortfall::verdict);

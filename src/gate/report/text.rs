@@ -56,11 +56,11 @@ fn verdict(report: &Report) -> String {
     let responses = report.responses.as_ref();
     let said = match report.verdict {
         Verdict::Pass => {
-            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.responses));
+            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.tally.responses));
             format!("{oracles} oracles agree on {cases} cases{and}")
         }
         Verdict::Undecided => {
-            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.responses));
+            let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.tally.responses));
             format!("interrupted; nothing was wrong in {cases} cases{and}")
         }
         Verdict::Fail => {
@@ -70,9 +70,9 @@ fn verdict(report: &Report) -> String {
                 1 => ", and the run as a whole falls short".to_owned(),
                 count => format!(", and the run as a whole falls short in {count} ways"),
             };
-            let wrong = responses.filter(|of| of.verdict() == Verdict::Fail && of.responses > 0);
+            let wrong = responses.filter(|of| of.verdict() == Verdict::Fail && of.tally.responses > 0);
             let wrong = wrong.map_or_else(String::new, |of| {
-                format!("; {} of {} whole responses failed", of.failures.len(), of.responses)
+                format!("; {} of {} whole responses failed", of.failures.len(), of.tally.responses)
             });
             failed + &short + &wrong
         }

@@ -1,14 +1,15 @@
 //! What was found in whole responses, as data and as text.
 
-use std::{collections::BTreeMap, fmt::Write};
+use std::fmt::Write;
 
 use serde::{Deserialize, Serialize};
 
 use super::{
-    examine::{Compared, Examination, Finding},
+    examine::Finding,
     failure::Failure,
     reach::Example,
     shortfall::{Shortfall, shortfalls},
+    tally::{MethodCounts, Tally},
 };
 use crate::{
     cases::shaking::Shaking,
@@ -18,19 +19,9 @@ use crate::{
 /// What was found in the responses of a run.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// Which responses, in order.
-    pub names: Vec<String>,
-    /// Those that were not run because the run was interrupted.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub left_out: Vec<String>,
-    /// How many were run.
-    pub responses: usize,
-    /// Of them, in how many it is too close to call what happens from some time on.
-    pub too_close: usize,
-    /// How many were examples of what; those of both models count once each.
-    pub reach: BTreeMap<Example, usize>,
-    /// What was compared of each method.
-    pub methods: BTreeMap<String, MethodCounts>,
+    /// What was run and counted.
+    #[serde(flatten)]
+    pub tally: Tally,
     /// Those in which something was wrong.
     pub failures: Vec<Failed>,
     /// What is wrong with the run as a whole.
@@ -38,25 +29,6 @@ pub struct Report {
     /// What the run was too small to judge.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub not_judged: Vec<NotJudged>,
-}
-
-/// What was compared of one method.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct MethodCounts {
-    /// How many responses it gave.
-    pub answered: usize,
-    /// How many it declined.
-    pub declined: usize,
-    /// How many bouts it gave.
-    pub bouts: usize,
-    /// How many of its impacts were compared.
-    pub impacts: usize,
-    /// How many rows of its tables.
-    pub rows: usize,
-    /// How many of its responses were wrong.
-    pub wrong: usize,
-    /// The largest share of what was allowed that an impact used, where nothing was wrong.
-    pub used: f64,
 }
 
 /// A response in which something was wrong.
@@ -83,36 +55,10 @@ pub struct Failed {
 }
 
 impl Report {
-    pub(super) fn add(&mut self, name: &str, examination: &Examination) {
-        self.names.push(name.to_owned());
-        self.responses += 1;
-        self.too_close += usize::from(examination.too_close);
-        for reach in &examination.reach {
-            *self.reach.entry(*reach).or_default() += 1;
-        }
-        for (name, asked) in &examination.asked {
-            let method = self.methods.entry(name.clone()).or_default();
-            match asked {
-                Compared::Declined => method.declined += 1,
-                Compared::Answered { bouts, impacts, rows, used } => {
-                    method.answered += 1;
-                    method.bouts += bouts;
-                    method.impacts += impacts;
-                    method.rows += rows;
-                    if !examination.findings.iter().any(|finding| finding.method == *name) {
-                        method.used = method.used.max(*used);
-                    }
-                }
-            }
-            method.wrong += examination.findings.iter().filter(|finding| finding.method == *name).count();
-        }
-    }
-
-    /// With the failures, and what the run as a whole fails to prove.
-    pub(super) fn concluded(mut self, failures: &[Failure]) -> Self {
-        self.failures = failures.iter().map(Failed::from).collect();
-        (self.shortfalls, self.not_judged) = shortfalls(&self);
-        self
+    /// The report on responses of which these failed.
+    pub(super) fn new(tally: Tally, failures: &[Failure]) -> Self {
+        let (shortfalls, not_judged) = shortfalls(&tally);
+        Self { tally, failures: failures.iter().map(Failed::from).collect(), shortfalls, not_judged }
     }
 
     /// What the responses make of the run.
@@ -140,7 +86,7 @@ impl From<&Failure> for Failed {
 
 /// What was exercised, in lines of a head and what is said.
 pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
-    let Report { responses, too_close, reach, methods, .. } = report;
+    let Tally { responses, too_close, reach, methods, .. } = &report.tally;
     let (bouts, impacts) =
         methods.values().fold((0, 0), |(bouts, impacts), method| (bouts + method.bouts, impacts + method.impacts));
     let mut lines = vec![(
@@ -208,9 +154,9 @@ pub fn methods_text(report: &Report) -> String {
             "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used\n"
         )
     };
-    let reached = report.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name()));
+    let reached = report.tally.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name()));
     let reached = format!("responses of each kind: {}\n", reached.collect::<Vec<_>>().join(", "));
-    std::iter::once(reached).chain(report.methods.iter().map(line)).collect()
+    std::iter::once(reached).chain(report.tally.methods.iter().map(line)).collect()
 }
 
 impl Failed {

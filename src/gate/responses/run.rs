@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{examine::examine, failure::Failure, report::Report, whole::Responder};
+use super::{examine::examine, failure::Failure, report::Report, tally::Tally, whole::Responder};
 use crate::{
     cases::{generate, shaking::Shaking},
     gate::progress::Progress,
@@ -51,17 +51,17 @@ pub fn run(
             Some(examination)
         })
         .collect();
-    let mut report = Report::default();
+    let mut tally = Tally::default();
     let mut failures = Vec::new();
     for ((name, shaking), examination) in shakings.iter().zip(examinations) {
         let Some(examination) = examination else {
-            report.left_out.push(name.clone());
+            tally.left_out.push(name.clone());
             continue;
         };
-        report.add(name, &examination);
+        tally.add(name, &examination);
         if !examination.findings.is_empty() {
             failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
         }
     }
-    (report.concluded(&failures), failures)
+    (Report::new(tally, &failures), failures)
 }

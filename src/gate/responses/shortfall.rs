@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     reach::Example,
-    report::{MethodCounts, Report},
+    tally::{MethodCounts, Tally},
 };
 use crate::gate::{shortfall::NotJudged, tolerance, verdict::Verdict};
 
@@ -57,21 +57,21 @@ pub enum Shortfall {
 }
 
 /// What is wrong with the run, and what it was too small to judge.
-pub(super) fn shortfalls(report: &Report) -> (Vec<Shortfall>, Vec<NotJudged>) {
-    let (responses, needed) = (report.responses, tolerance::RESPONSES_WHOLE.value as usize);
-    if !report.left_out.is_empty() {
-        let handed = responses + report.left_out.len();
+pub(super) fn shortfalls(tally: &Tally) -> (Vec<Shortfall>, Vec<NotJudged>) {
+    let (responses, needed) = (tally.responses, tolerance::RESPONSES_WHOLE.value as usize);
+    if !tally.left_out.is_empty() {
+        let handed = responses + tally.left_out.len();
         return (vec![Shortfall::Interrupted { examined: responses, handed }], Vec::new());
     }
     if responses < needed {
         let what = "that whole responses reach and compare everything".to_owned();
         return (Vec::new(), vec![NotJudged { what, cases: responses, needed }]);
     }
-    let too_close = report.too_close;
+    let too_close = tally.too_close;
     let unclear = (share(too_close, responses) > tolerance::RESPONSES_TOO_CLOSE.value)
         .then_some(Shortfall::TooClose { too_close, responses });
-    let never_met = Example::ALL.into_iter().filter(|example| !report.reach.contains_key(example));
-    let of_methods = report.methods.iter().flat_map(|(name, counts)| of_method(name, counts));
+    let never_met = Example::ALL.into_iter().filter(|example| !tally.reach.contains_key(example));
+    let of_methods = tally.methods.iter().flat_map(|(name, counts)| of_method(name, counts));
     let never_met = never_met.map(|example| Shortfall::NeverMet { example });
     (unclear.into_iter().chain(of_methods).chain(never_met).collect(), Vec::new())
 }

@@ -1,32 +1,32 @@
 use super::*;
 
 /// A run of 200 responses by one method in which everything is as it has to be.
-fn whole() -> Report {
+fn whole() -> Tally {
     let counts = MethodCounts { answered: 200, impacts: 5000, used: 0.3, ..MethodCounts::default() };
-    Report {
+    Tally {
         responses: 200,
         reach: Example::ALL.into_iter().map(|example| (example, 7)).collect(),
         methods: [("method".to_owned(), counts)].into(),
-        ..Report::default()
+        ..Tally::default()
     }
 }
 
-fn changed(change: impl Fn(&mut Report)) -> Vec<Shortfall> {
-    let mut report = whole();
-    change(&mut report);
-    shortfalls(&report).0
+fn changed(change: impl Fn(&mut Tally)) -> Vec<Shortfall> {
+    let mut tally = whole();
+    change(&mut tally);
+    shortfalls(&tally).0
 }
 
 fn of_the_method(change: impl Fn(&mut MethodCounts)) -> Vec<Shortfall> {
-    changed(|report| report.methods.values_mut().for_each(&change))
+    changed(|tally| tally.methods.values_mut().for_each(&change))
 }
 
 #[test]
 fn each_thing_that_a_run_fails_to_prove_is_said_and_nothing_else() {
     let method = || "method".to_owned();
     assert_eq!(changed(|_| {}), []);
-    assert_eq!(changed(|report| report.too_close = 50), []);
-    assert_eq!(changed(|report| report.too_close = 51), [Shortfall::TooClose { too_close: 51, responses: 200 }]);
+    assert_eq!(changed(|tally| tally.too_close = 50), []);
+    assert_eq!(changed(|tally| tally.too_close = 51), [Shortfall::TooClose { too_close: 51, responses: 200 }]);
     assert_eq!(of_the_method(|counts| counts.declined = 10), []);
     assert_eq!(
         of_the_method(|counts| counts.declined = 11),
@@ -36,8 +36,8 @@ fn each_thing_that_a_run_fails_to_prove_is_said_and_nothing_else() {
     assert_eq!(of_the_method(|counts| (counts.used, counts.wrong) = (0.0, 1)), []);
     assert_eq!(of_the_method(|counts| counts.impacts = 0), [Shortfall::NoImpact { method: method() }]);
     let example = Example::OverturnsAfterwards;
-    let never = changed(|report| {
-        report.reach.remove(&example);
+    let never = changed(|tally| {
+        tally.reach.remove(&example);
     });
     assert_eq!(never, [Shortfall::NeverMet { example }]);
 }
@@ -45,10 +45,10 @@ fn each_thing_that_a_run_fails_to_prove_is_said_and_nothing_else() {
 /// What a small run can't judge is listed and is not held against it; nothing is concluded from a part of a run.
 #[test]
 fn a_run_is_not_red_for_being_small_or_interrupted() {
-    let small = Report { responses: 199, ..Report::default() };
+    let small = Tally { responses: 199, ..Tally::default() };
     let (red, not_judged) = shortfalls(&small);
     assert!(red.is_empty() && matches!(&not_judged[..], [NotJudged { cases: 199, needed: 200, .. }]));
-    let interrupted = Report { left_out: vec!["response/200".into()], ..small };
+    let interrupted = Tally { left_out: vec!["response/200".into()], ..small };
     let red = shortfalls(&interrupted).0;
     assert_eq!(red, [Shortfall::Interrupted { examined: 199, handed: 200 }]);
     assert_eq!(red[0].verdict(), Verdict::Undecided);

@@ -1,0 +1,74 @@
+//! What is counted over the whole responses of a run.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    examine::{Compared, Examination},
+    reach::Example,
+};
+
+/// What was run, and what was compared of it.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Tally {
+    /// Which responses, in order.
+    pub names: Vec<String>,
+    /// Those that were not run because the run was interrupted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
+    /// How many were run.
+    pub responses: usize,
+    /// Of them, in how many it is too close to call what happens from some time on.
+    pub too_close: usize,
+    /// How many were examples of what; those of both models count once each.
+    pub reach: BTreeMap<Example, usize>,
+    /// What was compared of each method.
+    pub methods: BTreeMap<String, MethodCounts>,
+}
+
+/// What was compared of one method.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct MethodCounts {
+    /// How many responses it gave.
+    pub answered: usize,
+    /// How many it declined.
+    pub declined: usize,
+    /// How many bouts it gave.
+    pub bouts: usize,
+    /// How many of its impacts were compared.
+    pub impacts: usize,
+    /// How many rows of its tables.
+    pub rows: usize,
+    /// How many of its responses were wrong.
+    pub wrong: usize,
+    /// The largest share of what was allowed that an impact used, where nothing was wrong.
+    pub used: f64,
+}
+
+impl Tally {
+    pub(super) fn add(&mut self, name: &str, examination: &Examination) {
+        self.names.push(name.to_owned());
+        self.responses += 1;
+        self.too_close += usize::from(examination.too_close);
+        for reach in &examination.reach {
+            *self.reach.entry(*reach).or_default() += 1;
+        }
+        for (name, asked) in &examination.asked {
+            let method = self.methods.entry(name.clone()).or_default();
+            match asked {
+                Compared::Declined => method.declined += 1,
+                Compared::Answered { bouts, impacts, rows, used } => {
+                    method.answered += 1;
+                    method.bouts += bouts;
+                    method.impacts += impacts;
+                    method.rows += rows;
+                    if !examination.findings.iter().any(|finding| finding.method == *name) {
+                        method.used = method.used.max(*used);
+                    }
+                }
+            }
+            method.wrong += examination.findings.iter().filter(|finding| finding.method == *name).count();
+        }
+    }
+}
