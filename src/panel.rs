@@ -9,10 +9,9 @@ mod settings;
 mod tests;
 
 use asymptotic::{Asymptotic, Order};
-pub use asymptotic::{approach, coefficients};
 use closed_form::ClosedForm;
 use contract::{Case, Decline, History, Invalid, Model, Oracle};
-use enclosure::{Critical, Enclosure};
+use enclosure::Enclosure;
 use ode::{Equation, Flights, Ode};
 use printed::Printed;
 use taylor::Taylor;
@@ -263,10 +262,30 @@ pub fn proven(name: &str, settings: &Settings, case: &Case) -> Result<Option<Res
     })))
 }
 
-/// The certified critical amplitude of the linear model.
+/// The critical amplitude of the linear model, proven.
+pub struct CriticalAmplitude {
+    /// `a_cr`: the middle of the bounds.
+    pub a_cr: f64,
+    /// An amplitude whose chattering is proven to be complete, rounded down.
+    pub complete_at: String,
+    /// One whose chattering is proven to be incomplete, rounded up.
+    pub incomplete_at: String,
+    /// `β` of the approach `1 - τ_ch/(T/2) ~ K (a_cr - a)^β`.
+    pub exponent: f64,
+}
+
+/// The critical amplitude of the linear model, with bounds of so many digits after the decimal point.
 ///
 /// # Errors
 /// When `omega` or `eta` is out of range, or no bracket was found.
-pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
-    enclosure::critical_amplitude(omega, eta)
+pub fn critical_amplitude(omega: f64, eta: f64, digits: u32) -> Result<CriticalAmplitude, Decline> {
+    let critical = enclosure::critical_amplitude(omega, eta)?;
+    let [complete_at, incomplete_at] = critical.amplitude.decimals(digits);
+    let a_cr = critical.amplitude.middle().0;
+    Ok(CriticalAmplitude { a_cr, complete_at, incomplete_at, exponent: critical.exponent })
+}
+
+/// `β` of the approach `1 - τ_ch/(T/2) ~ K (a_cr - a)^β` to the critical amplitude, for `eta` inside (0, 1).
+pub fn approach_exponent(eta: f64) -> f64 {
+    asymptotic::approach(eta).exponent
 }

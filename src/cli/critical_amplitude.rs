@@ -42,14 +42,13 @@ const DIGITS: u32 = 18;
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let &Arguments { omega, eta, format } = arguments;
-    let critical = panel::critical_amplitude(omega, eta).map_err(|decline| anyhow!("{decline}"))?;
-    let [lower, upper] = critical.amplitude.decimals(DIGITS);
+    let critical = panel::critical_amplitude(omega, eta, DIGITS).map_err(|decline| anyhow!("{decline}"))?;
     let answer = Answer {
         omega,
         eta,
-        a_cr: critical.amplitude.middle().0,
-        lower,
-        upper,
+        a_cr: critical.a_cr,
+        lower: critical.complete_at,
+        upper: critical.incomplete_at,
         certified: true,
         exponent: critical.exponent,
         eq76: critical::eq76(omega, eta),

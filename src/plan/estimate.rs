@@ -68,7 +68,7 @@ impl Place {
             return None;
         }
         let share = epsilon / critical::interpolated(omega, eta).ok()?;
-        let exponent = panel::approach(eta).exponent;
+        let exponent = panel::approach_exponent(eta);
         let amplification = if share < 1.0 { (1.0 - share).powf(exponent - 1.0) } else { f64::INFINITY };
         Some(Self { epsilon, omega, share, amplification })
     }

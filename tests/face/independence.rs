@@ -3,9 +3,15 @@
 //! Shared code would make two methods agree on the same mistake. The contract crate carries words only: it is `no_std`, which keeps `sqrt`
 //! and `sin` out of it, and depends on nothing.
 
-use std::{collections::BTreeSet, path::Path, process::Command};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+    process::Command,
+};
 
 use serde_json::Value;
+
+use super::paths::Paths;
 
 /// What each crate under `oracles/` may depend on, at run time and at build time. To use something new, add it here with a reason.
 const ALLOWED: &[(&str, &[&str])] = &[
@@ -146,26 +152,49 @@ fn the_contract_has_no_mathematics() {
     }
 }
 
+/// The paths in the files of `src`, but for the files of tests.
+fn sources() -> Vec<(PathBuf, Paths)> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut sources = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") && !path.ends_with("tests.rs") {
+                let paths = Paths::of_file(&path);
+                sources.push((path, paths));
+            }
+        }
+    }
+    sources
+}
+
+/// Whether a path begins at the crate of an oracle.
+fn is_of_an_oracle(path: &[String]) -> bool {
+    ALLOWED.iter().any(|(name, _)| *name != "contract" && path.first().is_some_and(|first| first == name))
+}
+
 #[test]
 fn only_the_panel_the_studies_and_the_tests_name_the_oracles() {
     // The studies are about single methods. Everything else meets a method through its row of the panel.
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let may_name = [source.join("panel.rs"), source.join("panel"), source.join("studies")];
-    let mut files = vec![source];
-    while let Some(path) = files.pop() {
-        if path.is_dir() {
-            files.extend(std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
-        } else if path.extension().is_some_and(|extension| extension == "rs")
-            && !may_name.iter().any(|place| path.starts_with(place))
-        {
-            let text = std::fs::read_to_string(&path).unwrap();
-            for (name, _) in ALLOWED.iter().filter(|(name, _)| *name != "contract") {
-                let path_in = format!("{name}::");
-                let named = text.match_indices(&path_in).any(|(at, _)| {
-                    !text[..at].ends_with(|before: char| before.is_alphanumeric() || before == '_' || before == ':')
-                });
-                assert!(!named, "{} names {name}", path.display());
-            }
+    let mut by_those = 0;
+    for (file, paths) in sources() {
+        let named = paths.found.iter().filter(|path| is_of_an_oracle(path));
+        if may_name.iter().any(|place| file.starts_with(place)) {
+            by_those += named.count();
+        } else {
+            assert_eq!(named.collect::<Vec<_>>(), Vec::<&Vec<String>>::new(), "{}", file.display());
         }
+    }
+    assert!(by_those >= 7, "only {by_those} paths into an oracle were found");
+}
+
+#[test]
+fn nothing_of_an_oracle_is_handed_on() {
+    for (file, paths) in sources() {
+        let handed_on: Vec<_> = paths.re_exported.iter().filter(|path| is_of_an_oracle(path)).collect();
+        assert!(handed_on.is_empty(), "{} hands on {handed_on:?}", file.display());
     }
 }

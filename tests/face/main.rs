@@ -7,6 +7,7 @@ mod hostile;
 mod independence;
 mod options;
 mod pages;
+mod paths;
 mod readme;
 mod record;
 mod rooms;

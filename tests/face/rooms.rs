@@ -8,10 +8,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use syn::{
-    Attribute, Item, UseTree,
-    visit::{self, Visit},
-};
+use super::paths::Paths;
 
 /// What each room of `src` may import. Those that are handed in (the panel, roles, methods) are not imported.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
@@ -55,8 +52,7 @@ impl Modules {
             }
         }
         let imports = files.iter().map(|(module, path)| {
-            let mut paths = Paths::default();
-            paths.visit_file(&syn::parse_file(&fs::read_to_string(path).unwrap()).unwrap());
+            let paths = Paths::of_file(path);
             let named = paths.found.iter().filter_map(|path| {
                 let full = absolute(module, path)?;
                 let known = (1..=full.len()).rev().map(|length| full[..length].join("::"));
@@ -116,46 +112,6 @@ fn absolute(module: &str, path: &[String]) -> Option<Vec<String>> {
     Some(full)
 }
 
-/// All paths in a file, but for those in its tests.
-#[derive(Default)]
-struct Paths {
-    found: Vec<Vec<String>>,
-}
-
-impl Paths {
-    fn add(&mut self, before: &[String], tree: &UseTree) {
-        match tree {
-            UseTree::Path(path) => self.add(&[before, &[path.ident.to_string()]].concat(), &path.tree),
-            UseTree::Name(name) => self.found.push([before, &[name.ident.to_string()]].concat()),
-            UseTree::Rename(name) => self.found.push([before, &[name.ident.to_string()]].concat()),
-            UseTree::Glob(_) => self.found.push(before.to_vec()),
-            UseTree::Group(group) => group.items.iter().for_each(|tree| self.add(before, tree)),
-        }
-    }
-}
-
-fn is_test(attributes: &[Attribute]) -> bool {
-    attributes.iter().any(|attribute| {
-        attribute.path().is_ident("cfg")
-            && attribute.parse_args::<syn::Ident>().is_ok_and(|condition| condition == "test")
-    })
-}
-
-impl<'ast> Visit<'ast> for Paths {
-    fn visit_item(&mut self, item: &'ast Item) {
-        match item {
-            Item::Mod(module) if is_test(&module.attrs) => {}
-            Item::Use(item) => self.add(&[], &item.tree),
-            _ => visit::visit_item(self, item),
-        }
-    }
-
-    fn visit_path(&mut self, path: &'ast syn::Path) {
-        self.found.push(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
-        visit::visit_path(self, path);
-    }
-}
-
 #[test]
 fn every_room_imports_only_what_it_may() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -194,16 +150,18 @@ fn a_circle_and_every_way_to_import_are_found() {
     };
     write("lib.rs", "mod gate; mod motion;");
     write("motion.rs", "pub struct Scene;");
-    write("gate/mod.rs", "mod a; mod b; mod c; mod d;");
+    write("gate/mod.rs", "mod a; mod b; mod c; mod d; mod e;");
     write("gate/a.rs", "use crate::{motion::Scene as Other};");
     write("gate/b.rs", "fn f() -> super::super::motion::Scene { loop {} }");
     write("gate/c.rs", "use super::d; #[cfg(test)] mod tests { use crate::motion; }");
     write("gate/d.rs", "use super::a;");
+    write("gate/e.rs", "fn f() { assert!([g(crate::motion::Scene::new())].is_empty()) }");
     let modules = Modules::of(folder.path());
     let imports = |module: &str| modules.imports[module].iter().map(String::as_str).collect::<Vec<_>>();
     assert_eq!(imports("gate::a"), ["motion"]);
     assert_eq!(imports("gate::b"), ["motion"]);
     assert_eq!(imports("gate::c"), ["gate::d"]);
+    assert_eq!(imports("gate::e"), ["motion"]);
     assert_eq!(modules.circle(), None);
     write("gate/d.rs", "use super::c::Thing;");
     assert_eq!(Modules::of(folder.path()).circle(), Some(vec!["gate::c", "gate::d"]));
