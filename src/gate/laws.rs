@@ -159,14 +159,8 @@ fn interval_ratio(case: &Case, observed: &Observed, n: usize) -> Option<Figure> 
     let second = impacts.get(n.checked_sub(2)?)?.interval;
     // The first of the three flights starts at impact n - 3, where initiation is impact 0.
     let start = n.checked_sub(4).map_or(Some(0.0), |index| Some(impacts.get(index)?.time))?;
-    let (omega, eta) = (case.omega(), case.eta());
-    // f = cos x + q sin x with x = ωτ, q = a cos ψ; 1 ± f without the cancellation at x = 0 and x = π
-    let quadrature = Excitation::new(case).quadrature();
-    let (sin, cos) = (omega * start).sin_cos();
-    let (half_sin, half_cos) = (0.5 * omega * start).sin_cos();
-    let rate = omega * (quadrature * cos - sin);
-    let plus = rate / (2.0 * half_cos * half_cos + quadrature * sin);
-    let minus = -rate / (2.0 * half_sin * half_sin - quadrature * sin);
+    let eta = case.eta();
+    let [plus, minus] = Excitation::new(case).pull_rates(start);
     // c/b on the side of the first and third flight, and on the other
     let (same, other) = if n % 2 == 1 { (minus, plus) } else { (plus, minus) };
     let change = same.abs().max(other.abs()) * (first + second);

@@ -34,11 +34,6 @@ impl Excitation {
         self.in_phase.atan2(self.quadrature)
     }
 
-    /// `a cos ψ`.
-    pub fn quadrature(&self) -> f64 {
-        self.quadrature
-    }
-
     /// `T/2`.
     pub fn half_period(&self) -> f64 {
         half_period(self.omega)
@@ -53,6 +48,18 @@ impl Excitation {
     pub fn at(&self, tau: f64) -> f64 {
         let (sin, cos) = (self.omega * tau).sin_cos();
         self.in_phase * cos + self.quadrature * sin
+    }
+
+    /// How fast the pull `1 + i f` towards the base changes at the time `tau`, relative to it: `i f'/(1 + i f)` on the sides `i = 1` and `i = -1`.
+    pub fn pull_rates(&self, tau: f64) -> [f64; 2] {
+        let (sin, cos) = (self.omega * tau).sin_cos();
+        // `1 ± cos` by half the angle: nothing cancels where the pull vanishes.
+        let (half_sin, half_cos) = (0.5 * self.omega * tau).sin_cos();
+        let below = 1.0 - self.in_phase;
+        let plus = below + self.in_phase * 2.0 * half_cos * half_cos + self.quadrature * sin;
+        let minus = below + self.in_phase * 2.0 * half_sin * half_sin - self.quadrature * sin;
+        let rate = self.omega * (self.quadrature * cos - self.in_phase * sin);
+        [rate / plus, -rate / minus]
     }
 }
 
@@ -90,5 +97,24 @@ mod tests {
             let leaves = excitation.above_threshold();
             assert!(if a > 1.0 { (excitation.at(leaves) - 1.0).abs() < 1e-13 * a * a } else { leaves == 0.0 }, "{a}");
         }
+    }
+    #[test]
+    fn the_pull_changes_as_its_logarithm_does() {
+        for a in [0.3, 1.0 + 1e-3, 1.5, 40.0] {
+            let excitation = Excitation::new(&Case::from_amplitude(a, 2.0, 0.9).unwrap());
+            for k in 0..50 {
+                let (tau, step) = (0.17 * (f64::from(k) + 0.5), 1e-5);
+                let pull = |side: f64, tau| 1.0 + side * excitation.at(tau);
+                for (side, rate) in [1.0, -1.0].into_iter().zip(excitation.pull_rates(tau)) {
+                    let slope = (pull(side, tau + step) - pull(side, tau - step)) / (2.0 * step);
+                    let off = (rate * pull(side, tau) - slope).abs();
+                    assert!(off < 1e-7 * (1.0 + a), "{a} {tau} {side}: {off:e}");
+                }
+            }
+        }
+        // Next to the threshold, shortly after initiation: f' = ω q and 1 - f = -ω q τ to leading order, with q = a cos ψ.
+        let excitation = Excitation::new(&Case::from_epsilon(1e-20, 1.0, 0.9).unwrap());
+        let [_, minus] = excitation.pull_rates(1e-15);
+        assert!((minus * 1e-15 - 1.0).abs() < 1e-4, "{minus}");
     }
 }
