@@ -10,6 +10,7 @@ use anyhow::{Context as _, anyhow};
 use chattercheck::{
     cases::case_file::CaseFields,
     motion::scene::{self, Scene},
+    panel,
 };
 use clap::Args;
 use contract::{Case, Horizon};
@@ -59,6 +60,9 @@ pub(crate) struct CaseFlags {
     /// What the amplitude is a multiple of: g tan(alpha), or g alpha [default: threshold]
     #[arg(long, value_name = "threshold|slender")]
     normalisation: Option<String>,
+    /// The equation of motion, linear or nonlinear [default: the one that the method solves; nonlinear, if it solves both and --alpha is given; for a scene the one that it asks for]
+    #[arg(long, value_name = "MODEL")]
+    model: Option<String>,
     /// Follow the block to this time tau, past half a period if it still rocks; for a scene from the start of its motion
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
@@ -75,9 +79,19 @@ impl CaseFlags {
         self.until
     }
 
-    /// The scene, if one is given.
+    /// `--model` as it was given.
+    pub fn model(&self) -> Option<&str> {
+        self.model.as_deref()
+    }
+
+    /// The scene, if one is given, asked for `--model`.
     pub fn scene(&self) -> anyhow::Result<Option<Scene>> {
-        self.scene.as_deref().map(read_scene).transpose()
+        let Some(path) = &self.scene else { return Ok(None) };
+        let mut scene = read_scene(path)?;
+        if let Some(name) = self.model() {
+            scene.ask.model = panel::model_named(name)?;
+        }
+        Ok(Some(scene))
     }
 
     /// The case, listing up to `impacts` impacts.

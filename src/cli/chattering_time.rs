@@ -68,7 +68,7 @@ struct Answer<'a> {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { case: flags, oracle, digits, .. } = arguments;
     let case = flags.case(arguments.impacts.unwrap_or(64))?;
-    let oracle = match oracle.asked(flags, &case, *digits)? {
+    let oracle = match oracle.asked(flags, &case, *digits).map_err(auto_too)? {
         Asked::Auto(question) => return planned(arguments, *question),
         Asked::Oracle(oracle) => oracle,
     };
@@ -122,6 +122,17 @@ impl Arguments {
             }
         }
         Ok((case, observed))
+    }
+}
+
+/// A tolerance is for `auto` too, which is no method of the panel.
+fn auto_too(error: anyhow::Error) -> anyhow::Error {
+    match error.downcast() {
+        Ok(Refused::Unused { option: "tolerance", value, method, users }) => {
+            Refused::Unused { option: "tolerance", value, method, users: format!("{users} or auto") }.into()
+        }
+        Ok(other) => other.into(),
+        Err(error) => error,
     }
 }
 

@@ -24,6 +24,7 @@ mod scene;
 mod seed;
 mod simulate;
 mod tolerances;
+mod typed;
 mod verified_responses;
 mod verify;
 mod watch;
@@ -32,6 +33,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use output::{Unwritten, complain};
+use typed::as_typed;
 
 /// Differential verification of the chattering of a rocking rigid block.
 ///
@@ -123,7 +125,7 @@ pub(crate) fn run() -> ExitCode {
     match result {
         Ok(status) => status.into(),
         Err(error) => {
-            complain(&format!("{error:#}"));
+            complain(&as_typed(format!("{error:#}"), &words()));
             if error.chain().any(|cause| cause.is::<Unwritten>()) { Status::Failed.into() } else { ExitCode::from(2) }
         }
     }
@@ -140,4 +142,9 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let line = lines.map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
     complain(line.trim_start_matches("error: "));
     ExitCode::from(2)
+}
+
+/// The words of this command line.
+fn words() -> Vec<String> {
+    std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect()
 }

@@ -16,9 +16,6 @@ pub(crate) struct OracleFlags {
     /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` (for impacts: the fastest on the equation that is asked for) [default: the first of closed-form, taylor, auto, ode, asymptotic and enclosure that uses everything that is given; auto for a scene]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
-    /// The equation of motion, linear or nonlinear [default: the one that the method solves; nonlinear, if it solves both and --alpha is given]
-    #[arg(long, value_name = "MODEL")]
-    model: Option<String>,
     /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
     #[arg(long, value_name = "METHOD")]
     method: Option<String>,
@@ -31,7 +28,7 @@ pub(crate) struct OracleFlags {
     /// For asymptotic: paper (Eq. 65), how many terms of the series (1 to 92), or resummed [default: paper]
     #[arg(long, value_name = "paper|K|resummed", allow_hyphen_values = true)]
     order: Option<String>,
-    /// The largest relative error of tau_ch that is accepted: for asymptotic by its own claim [default: 0.5]; for auto [default: 1e-6, or the scene's]
+    /// The largest relative error of tau_ch that is accepted: for asymptotic by its own claim [default: 0.5]; for auto, of a chattering time only [default: 1e-6, or the scene's]
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = number)]
     tolerance: Option<f64>,
 }
@@ -53,7 +50,7 @@ impl OracleFlags {
     /// # Errors
     /// When a name or value is not known, or something was given that the method does not use.
     pub fn asked(&self, flags: &CaseFlags, case: &Case, digits: Option<i64>) -> anyhow::Result<Asked> {
-        let settings = self.settings(digits);
+        let settings = self.settings(flags, digits);
         let name = self.name(flags, &settings)?;
         if name == AUTO {
             return Ok(Asked::Auto(Box::new(self.question(flags, case, &settings)?)));
@@ -69,7 +66,7 @@ impl OracleFlags {
     /// # Errors
     /// As [`OracleFlags::asked`], and when the judge declines.
     pub fn proven(&self, flags: &CaseFlags, case: &Case, digits: Option<i64>) -> anyhow::Result<Option<panel::Proven>> {
-        let settings = self.settings(digits);
+        let settings = self.settings(flags, digits);
         let name = self.name(flags, &settings)?;
         match panel::proven(name, &settings, case)? {
             Some(Ok(proven)) => Ok(Some(proven)),
@@ -89,7 +86,7 @@ impl OracleFlags {
             return Ok(name);
         }
         let given: Vec<Setting> = settings.given().map(|(setting, _)| setting).collect();
-        let only_tolerance = given.iter().all(|setting| *setting == Setting::Tolerance);
+        let only_tolerance = given.iter().all(|setting| auto_uses(*setting, flags));
         // A scene asks for an accuracy; the flags of a case do not.
         if only_tolerance && (flags.scene.is_some() || !given.is_empty()) {
             return Ok(AUTO);
@@ -97,7 +94,7 @@ impl OracleFlags {
         let nonlinear = flags.alpha().is_some();
         let fits = |method: &&Method| {
             given.iter().all(|setting| method.uses(*setting))
-                && method.models.iter().any(|model| match self.model.as_deref() {
+                && method.models.iter().any(|model| match settings.equation {
                     Some("linear") => *model == Model::Linear && !nonlinear,
                     Some("nonlinear") => *model == Model::Nonlinear,
                     _ => *model == if nonlinear { Model::Nonlinear } else { Model::Linear },
@@ -126,6 +123,12 @@ impl OracleFlags {
                 if is_linear && case.slenderness().is_some() {
                     return Err(Refused::unused("model", "nonlinear (of the scene)", oracle.name(), solves_it).into());
                 }
+                if !is_linear && case.slenderness().is_none() {
+                    bail!(
+                        "model = linear (of the scene) is not solved by {}; --model nonlinear asks it of the scene",
+                        oracle.name()
+                    );
+                }
                 if scene.question()?.request.is_some() && oracle.flights(case).is_err() {
                     bail!(
                         "phase or duration (of the scene) is not used by {}, which is for a motion that passes the threshold and goes on; only with --oracle auto, closed-form, taylor or ode",
@@ -139,7 +142,7 @@ impl OracleFlags {
 
     /// What `auto` is asked.
     fn question(&self, flags: &CaseFlags, case: &Case, settings: &Settings) -> anyhow::Result<Question> {
-        if let Some((setting, value)) = settings.given().find(|(setting, _)| *setting != Setting::Tolerance) {
+        if let Some((setting, value)) = settings.given().find(|(setting, _)| !auto_uses(*setting, flags)) {
             return Err(Refused::unused(setting.name(), value, AUTO, |method| method.uses(setting)).into());
         }
         let question = match flags.scene()? {
@@ -153,9 +156,9 @@ impl OracleFlags {
         Ok(Question { tolerance, ..question })
     }
 
-    fn settings(&self, digits: Option<i64>) -> Settings<'_> {
+    fn settings<'a>(&'a self, flags: &'a CaseFlags, digits: Option<i64>) -> Settings<'a> {
         Settings {
-            equation: self.model.as_deref(),
+            equation: flags.model(),
             method: self.method.as_deref(),
             flights: self.flights.as_deref(),
             rtol: self.rtol,
@@ -164,6 +167,11 @@ impl OracleFlags {
             digits,
         }
     }
+}
+
+/// Whether `auto` uses a setting: the accuracy, and the equation that is asked of a scene.
+fn auto_uses(setting: Setting, flags: &CaseFlags) -> bool {
+    setting == Setting::Tolerance || setting == Setting::Model && flags.scene.is_some()
 }
 
 /// The case with its amplitude over the threshold `g tan α`, as the plan has it.

@@ -51,9 +51,17 @@ pub(super) fn print(text: &str) -> Result<(), Unwritten> {
 pub(super) fn print_csv<Row: Serialize>(rows: &[Row]) -> Result<(), Unwritten> {
     write(|stdout| {
         let mut csv = csv::Writer::from_writer(stdout);
-        rows.iter().try_for_each(|row| csv.serialize(row))?;
+        rows.iter().try_for_each(|row| csv.serialize(row)).map_err(of_csv)?;
         csv.flush()
     })
+}
+
+/// What went wrong with stdout itself: as the csv crate converts its errors, a pipe that was closed looks like anything else.
+pub(super) fn of_csv(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 /// Tells people something, on stderr, if anybody listens.
@@ -80,6 +88,15 @@ pub(super) fn complain(text: &str) {
 #[derive(Clone, Copy, ValueEnum)]
 pub(crate) enum Format {
     Text,
+    Json,
+    /// JSON on one line, for answers that are collected
+    JsonLine,
+}
+
+/// How a command that answers with a table prints it.
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum TableFormat {
+    Csv,
     Json,
     /// JSON on one line, for answers that are collected
     JsonLine,

@@ -18,7 +18,7 @@ use super::{
     case_facts::CaseFacts,
     case_flags::read_scene,
     numbers::{count, number},
-    output::{json, note, print, print_csv},
+    output::{TableFormat, json, note, print, print_csv},
 };
 
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
@@ -33,8 +33,8 @@ pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
     scene: PathBuf,
     /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
-    #[arg(long, value_enum)]
-    model: Option<ModelName>,
+    #[arg(long, value_name = "MODEL")]
+    model: Option<String>,
     /// How chattering is ended: exactly, where its infinite sum accumulates; or by a scheme of the paper's Section 5.2
     #[arg(long, value_enum, default_value_t = Scheme::Exact)]
     termination: Scheme,
@@ -57,22 +57,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count)]
     steps: Option<usize>,
     /// Output format: the history as CSV, or what happens as JSON
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
-    format: Format,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Csv,
-    Json,
-    /// JSON on one line, for answers that are collected
-    JsonLine,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum ModelName {
-    Linear,
-    Nonlinear,
+    #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
+    format: TableFormat,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -121,11 +107,8 @@ struct RestRow {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let mut scene = read_scene(&arguments.scene)?;
-    if let Some(model) = arguments.model {
-        scene.ask.model = match model {
-            ModelName::Linear => Model::Linear,
-            ModelName::Nonlinear => Model::Nonlinear,
-        };
+    if let Some(name) = &arguments.model {
+        scene.ask.model = panel::model_named(name)?;
     }
     arguments.check()?;
     let request = scene.response(arguments.until, Termination::Exact)?;
@@ -134,11 +117,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
     let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
     match arguments.format {
-        Format::Json | Format::JsonLine => {
+        TableFormat::Json | TableFormat::JsonLine => {
             let document = document(&scene, model, &request, &response);
-            print(&json(&document, matches!(arguments.format, Format::JsonLine))?)?;
+            print(&json(&document, matches!(arguments.format, TableFormat::JsonLine))?)?;
         }
-        Format::Csv => {
+        TableFormat::Csv => {
             let window = arguments.window(response.end)?;
             let samples =
                 response.samples(oracle.as_ref(), &request, &window).map_err(|decline| anyhow!("{decline}"))?;
@@ -189,7 +172,7 @@ impl Arguments {
         ];
         let unused = given.into_iter().find_map(|(field, value)| Some((field, value?)));
         match (self.format, unused) {
-            (Format::Json | Format::JsonLine, Some((field, value))) => {
+            (TableFormat::Json | TableFormat::JsonLine, Some((field, value))) => {
                 Err(Invalid::new(field, value, "only with --format csv"))
             }
             _ => Ok(()),

@@ -4,7 +4,7 @@ use chattercheck::{
     panel::{self, Method, Refused, Setting},
     plan::Question,
 };
-use clap::{Args, ValueEnum};
+use clap::Args;
 use contract::{Case, Ending, History, Impact, Limit, Oracle, Uncertainty};
 use serde::Serialize;
 
@@ -16,7 +16,7 @@ use super::{
     followed::{Followed, follow},
     numbers::count,
     oracle_flags::{Asked, OracleFlags},
-    output,
+    output::{self, TableFormat, of_csv},
 };
 
 /// One impact history
@@ -35,16 +35,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count)]
     impacts: usize,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
-    format: Format,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Csv,
-    Json,
-    /// JSON on one line, for answers that are collected
-    JsonLine,
+    #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
+    format: TableFormat,
 }
 
 /// Row `n = 0` is initiation; `velocity` is that just after impact `n`, `sign` that of the flight that follows.
@@ -106,14 +98,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let ending =
         if unsure { "unsure: rounding alone changes how it ends".to_owned() } else { history.ending.to_string() };
     match arguments.format {
-        Format::Csv => output::write(|stdout| {
+        TableFormat::Csv => output::write(|stdout| {
             // Without rows there would be no head.
             let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(stdout);
-            csv.write_record(["n", "tau", "interval", "velocity", "sign"])?;
-            rows.iter().try_for_each(|row| csv.serialize(row))?;
+            csv.write_record(["n", "tau", "interval", "velocity", "sign"]).map_err(of_csv)?;
+            rows.iter().try_for_each(|row| csv.serialize(row)).map_err(of_csv)?;
             csv.flush()
         })?,
-        Format::Json | Format::JsonLine => {
+        TableFormat::Json | TableFormat::JsonLine => {
             let rocks = history.ending != Ending::NeverRocks;
             let document = Document {
                 case: CaseFacts::of(&case),
@@ -122,7 +114,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
                 ending: ending.clone(),
                 impacts: claimed(rows, &history),
             };
-            output::print(&output::json(&document, matches!(arguments.format, Format::JsonLine))?)?;
+            output::print(&output::json(&document, matches!(arguments.format, TableFormat::JsonLine))?)?;
         }
     }
     output::note(format_args!("{}: {ending} after {} impacts", oracle.name(), history.impacts.len()));

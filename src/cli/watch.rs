@@ -1,4 +1,4 @@
-//! A long run as it is watched: a bar for who looks on, and an end for who has to stop it.
+//! A progress bar on stderr, and SIGINT and SIGTERM, which end a run with a report of what it found.
 
 use std::sync::{
     Arc,

@@ -20,7 +20,7 @@ pub struct Divergence {
     pub pair: [String; 2],
     /// In what they differ.
     pub observable: Differs,
-    /// Where.
+    /// Where it shows.
     pub regime: Regime,
     /// The smallest relative difference that counts; of endings and orders, any does.
     #[serde(default)]
@@ -28,7 +28,7 @@ pub struct Divergence {
     /// Over how many cases of the regime it has to show at the latest.
     #[serde(default = "one")]
     pub within: usize,
-    /// Why.
+    /// Why they differ, for the report.
     pub reason: String,
 }
 
@@ -48,7 +48,7 @@ pub enum Differs {
     Order,
 }
 
-/// Where.
+/// Where a divergence shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Regime {

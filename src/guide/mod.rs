@@ -7,8 +7,8 @@
 //!   [other tools](peers).
 //! - Working on it: [adding a method, a law, a case](add).
 
-/// Links between chapters. Each file defines its own at its foot, for who reads it there; of two definitions Markdown takes the first,
-/// and these lead to the modules.
+/// Links between chapters. Each file defines its own at its foot, which lead to files, for readers of the repository. Where a link is defined twice
+/// Markdown takes the first definition: these, which lead to modules.
 macro_rules! links {
     () => {
         "\

@@ -120,7 +120,11 @@ pub(super) fn resolve<'a>(
     Ok(Some((method, settings, model)))
 }
 
-fn model_named(name: &str) -> Result<Model, Invalid> {
+/// The equation of that name, `linear` or `nonlinear`.
+///
+/// # Errors
+/// When it is neither.
+pub fn model_named(name: &str) -> Result<Model, Invalid> {
     match name {
         "linear" => Ok(Model::Linear),
         "nonlinear" => Ok(Model::Nonlinear),

@@ -140,7 +140,7 @@ pub enum Refused {
         method: &'static str,
     },
     /// No method uses everything that was given.
-    #[error("no method uses all of {options}; `chattercheck chattering-time --help` says which uses what")]
+    #[error("no method uses all of {options}; `--help` says which method uses what")]
     NoMethod {
         /// What was given.
         options: String,

@@ -324,7 +324,7 @@ fn what_the_judge_is_asked_wrongly_is_refused() {
     refused(&format!("{case} --oracle enclosure --digits 101"), &["digits", "101", "1 <= digits <= 100"]);
     refused(&format!("{case} --oracle enclosure --digits -3"), &["digits", "-3", "1 <= digits <= 100"]);
     refused(&format!("{case} --oracle enclosurex"), &["oracle", "enclosurex", "closed-form"]);
-    refused(&format!("{case} --oracle enclosure --rtol 1e-3"), &["rtol", "0.001", "only with --oracle ode"]);
+    refused(&format!("{case} --oracle enclosure --rtol 1e-3"), &["rtol", "1e-3", "only with --oracle ode"]);
     refused(&format!("{case} --oracle enclosure --model cubic"), &["model", "cubic", "linear or nonlinear"]);
     refused(&format!("{case} --oracle ode --digits 20"), &["digits", "20", "ode", "only with --oracle enclosure"]);
     refused(&format!("{case} --oracle enclosure --model nonlinear"), &["slenderness"]);

@@ -50,6 +50,7 @@ fn a_stderr_that_is_full_or_closed_changes_no_status() {
 fn a_stdout_that_is_full_is_an_error_and_a_reader_that_has_gone_is_none() {
     let folder = tempfile::tempdir().unwrap();
     let program = env!("CARGO_BIN_EXE_chattercheck");
+    let long_table = format!("response {}/data/scenes/paper_fig_9.toml", env!("CARGO_MANIFEST_DIR"));
     for (arguments, expected) in [
         (GREEN, 3),
         (RED, 1),
@@ -59,6 +60,8 @@ fn a_stdout_that_is_full_is_an_error_and_a_reader_that_has_gone_is_none() {
         ("oracles", 3),
         ("tolerances", 3),
         ("scene --schema", 3),
+        // More than a pipe holds.
+        (&long_table, 3),
     ] {
         let output = shell(folder.path(), &format!("{arguments} > /dev/full"));
         let stderr = String::from_utf8_lossy(&output.stderr).into_owned();

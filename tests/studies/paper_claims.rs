@@ -1,4 +1,4 @@
-//! Numbers of the paper, and of what it leaves out, to more digits than the claims of `tests/paper.rs` have.
+//! Numbers of the paper, and of what it leaves out, to more digits than the claims of `src/studies/paper/claims` have.
 
 use approx::assert_relative_eq;
 use chattercheck::{

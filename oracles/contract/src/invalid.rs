@@ -29,7 +29,8 @@ impl Invalid {
 
 impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {} is outside the allowed range: {}", self.field, self.value, self.allowed)
+        let value = if self.value.is_empty() { "(empty)" } else { &self.value };
+        write!(f, "{} = {value} is outside the allowed range: {}", self.field, self.allowed)
     }
 }
 

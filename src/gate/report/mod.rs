@@ -99,7 +99,7 @@ pub struct Judged {
 pub struct Known {
     /// Who, in what, where.
     pub divergence: String,
-    /// Why.
+    /// Why it is known and tolerated, as the entry says.
     pub reason: String,
     /// In how many cases, or ladders, the two were seen side by side in that regime.
     pub cases: usize,

@@ -44,7 +44,7 @@ pub struct Bout {
     pub impacts: Vec<Impact>,
     /// How it ends.
     pub outcome: BoutEnding,
-    /// When.
+    /// When it ends, `τ`.
     pub end: f64,
     /// What is claimed to be wrong with `end` at the most, where the block comes to rest.
     pub uncertainty: f64,
@@ -55,7 +55,7 @@ pub struct Bout {
 /// One impact of a bout.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// When.
+    /// When it happens, `τ`.
     pub time: f64,
     /// The speed just before it.
     pub before: f64,
@@ -92,7 +92,7 @@ impl BoutEnding {
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// When.
+    /// The time of the row, `τ`.
     pub time: f64,
     /// The rotation `φ`.
     pub rotation: f64,

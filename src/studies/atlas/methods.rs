@@ -29,7 +29,7 @@ impl Contender {
         }
     }
 
-    /// And it.
+    /// What distinguishes it among those of its kind.
     pub fn setting(&self) -> String {
         match self {
             Self::Specimen(specimen) => specimen.setting(),
