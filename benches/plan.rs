@@ -13,7 +13,7 @@ use std::{hint::black_box, time::Instant};
 use chattercheck::{
     measure::asking::ask,
     panel::{self, Settings},
-    plan::{Conclusion, Method, Plan, Question, evidence},
+    plan::{Conclusion, Plan, Question, Way, evidence},
 };
 use contract::{Case, Ending, Model};
 
@@ -83,14 +83,7 @@ fn main() {
     }
 
     println!("\nmethod, times chosen, measured us, predicted us");
-    for method in [
-        Method::Nothing,
-        Method::CriticalAmplitude,
-        Method::Linear,
-        Method::Corrected,
-        Method::Nonlinear,
-        Method::Enclosure,
-    ] {
+    for method in [Way::Nothing, Way::CriticalAmplitude, Way::Linear, Way::Corrected, Way::Nonlinear, Way::Enclosure] {
         let of: Vec<_> =
             plans.iter().filter(|plan| plan.chosen().is_some_and(|chosen| chosen.method == method)).collect();
         if !of.is_empty() {

@@ -57,8 +57,23 @@ pub struct Method {
     pub may_decline: f64,
     /// What its oracles are good for besides being compared.
     pub roles: &'static [Role],
+    /// Which of its oracles follow whole responses in the gate.
+    pub responses: &'static [Follows],
     /// How an oracle is made from settings, of which the model is known.
     make: Make,
+}
+
+/// An oracle that follows whole responses in the gate.
+pub struct Follows {
+    /// The name of the oracle.
+    pub oracle: &'static str,
+    /// The equation that its responses are held against. A method for Eq. 2 alone is asked for a block as good as slender too, so that each equation
+    /// has two methods beside the general solver or more.
+    pub model: Model,
+    /// What its flights are worth.
+    pub accuracy: f64,
+    /// Whether the table of its response is looked at as well; once for each equation is enough.
+    pub table: bool,
 }
 
 /// How an oracle is made.
@@ -92,6 +107,7 @@ const TABLE: [Method; 7] = [
         by_name: &[],
         may_decline: HARDLY_ANY,
         roles: &[Role::Stepper, Role::Sensitivities, Role::SlendernessShifts],
+        responses: &[Follows { oracle: "closed-form", model: Model::Linear, accuracy: 1e-13, table: true }],
         make: |_, _| Ok(Box::new(ClosedForm)),
     },
     Method {
@@ -115,6 +131,10 @@ const TABLE: [Method; 7] = [
         ],
         may_decline: HARDLY_ANY,
         roles: &[],
+        responses: &[
+            Follows { oracle: "ode/linear/tsit45", model: Model::Linear, accuracy: 4e-11, table: false },
+            Follows { oracle: "ode/nonlinear/tsit45", model: Model::Nonlinear, accuracy: 4e-11, table: false },
+        ],
         make: |settings, model| Ok(Box::new(ode(settings, model)?)),
     },
     Method {
@@ -126,6 +146,10 @@ const TABLE: [Method; 7] = [
         by_name: &[],
         may_decline: HARDLY_ANY,
         roles: &[Role::Stepper],
+        responses: &[
+            Follows { oracle: "taylor", model: Model::Linear, accuracy: 4e-12, table: false },
+            Follows { oracle: "taylor", model: Model::Nonlinear, accuracy: 1e-13, table: true },
+        ],
         make: |_, _| Ok(Box::new(Taylor)),
     },
     Method {
@@ -137,6 +161,7 @@ const TABLE: [Method; 7] = [
         by_name: &["asymptotic/resummed"],
         may_decline: MOST,
         roles: &[Role::OwnSum],
+        responses: &[],
         make: |settings, _| Ok(Box::new(asymptotic(settings)?)),
     },
     Method {
@@ -148,6 +173,7 @@ const TABLE: [Method; 7] = [
         by_name: &["enclosure/linear", "enclosure/nonlinear"],
         may_decline: HARDLY_ANY,
         roles: &[Role::Judge, Role::OwnSum],
+        responses: &[],
         make: |settings, model| Ok(Box::new(enclosure(settings, model)?)),
     },
     Method {
@@ -159,6 +185,7 @@ const TABLE: [Method; 7] = [
         by_name: &["printed"],
         may_decline: MOST,
         roles: &[],
+        responses: &[],
         make: |_, _| Ok(Box::new(Printed::default())),
     },
     Method {
@@ -170,6 +197,7 @@ const TABLE: [Method; 7] = [
         by_name: &["closed-form/corrected"],
         may_decline: MOST,
         roles: &[],
+        responses: &[],
         make: |_, _| Ok(Box::new(Corrected::new(stepper()))),
     },
 ];

@@ -6,7 +6,7 @@ use crate::{
     cases::shaking::Shaking,
     gate::responses::{Bout, BoutEnding, Impact, Responder, Row, State, Whole},
     motion::response::{self, BoutEnd, Request, Response, Window},
-    panel::{self, Settings},
+    panel::{self, Follows, Settings},
 };
 
 /// So slender a block obeys Eq. 4 to twelve digits: this is how a method for Eq. 2 is held against those for Eq. 4.
@@ -26,27 +26,16 @@ pub struct Stepped {
     pub table: bool,
 }
 
-/// By the name of the oracle in the panel: the equation that its responses are held against, what its flights are worth, and whether the table of its
-/// response is looked at as well, which once for each equation is enough.
-///
-/// The method for Eq. 2 alone is asked for a block as good as slender too, so that each equation has two methods beside the general solver or more.
-const TABLE: [(&str, Model, f64, bool); 5] = [
-    ("closed-form", Model::Linear, 1e-13, true),
-    ("taylor", Model::Linear, 4e-12, false),
-    ("ode/linear/tsit45", Model::Linear, 4e-11, false),
-    ("taylor", Model::Nonlinear, 1e-13, true),
-    ("ode/nonlinear/tsit45", Model::Nonlinear, 4e-11, false),
-];
-
-/// Every method that follows whole responses.
+/// Every method that follows whole responses, as the panel says.
 pub fn all() -> Vec<Stepped> {
-    let of = |(name, model, accuracy, table): (&str, Model, f64, bool)| {
+    let of = |follows: &Follows| {
+        let Follows { oracle: name, model, accuracy, table } = *follows;
         let oracle = panel::one(name, &Settings::default(), "linear").ok()?;
         let slender = model != oracle.model();
         let name = if slender { format!("{name}/slender") } else { name.to_owned() };
         Some(Stepped { oracle, name, model, accuracy, table })
     };
-    TABLE.into_iter().filter_map(of).collect()
+    panel::methods().flat_map(|method| method.responses).filter_map(of).collect()
 }
 
 impl Stepped {

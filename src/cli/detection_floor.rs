@@ -2,7 +2,7 @@ use chattercheck::{
     faults::{
         catalogue::catalogue,
         floor::{self, Row, Smallest},
-        gate::Gate,
+        trial::Trial,
     },
     panel,
 };
@@ -33,10 +33,10 @@ enum Format {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let gate = Gate::new(panel::default(), arguments.seed.value()?);
-    let faults = catalogue(gate.oracles());
+    let trial = Trial::new(panel::default(), arguments.seed.value()?);
+    let faults = catalogue(trial.oracles());
     let bar = indicatif::ProgressBar::new(faults.len() as u64);
-    let rows = floor::table(&gate, &faults, || bar.inc(1))?;
+    let rows = floor::table(&trial, &faults, || bar.inc(1))?;
     bar.finish_and_clear();
     let written = print(&match arguments.format {
         Format::Json => serde_json::to_string_pretty(&rows)? + "\n",

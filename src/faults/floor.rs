@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{
     Fault, Size,
-    gate::{Evidence, Gate},
+    trial::{Evidence, Trial},
 };
 
 /// How far below its natural size a fault is followed, in powers of ten. A fault that is still seen there is seen at any size.
@@ -64,28 +64,28 @@ impl Row {
 ///
 /// # Errors
 /// When a fault is planted in an oracle that the gate lacks.
-pub fn table(gate: &Gate, faults: &[Fault], done: impl Fn() + Sync) -> Result<Vec<Row>, Invalid> {
+pub fn table(trial: &Trial, faults: &[Fault], done: impl Fn() + Sync) -> Result<Vec<Row>, Invalid> {
     faults
         .par_iter()
         .map(|fault| {
-            let row = row(gate, fault);
+            let row = row(trial, fault);
             done();
             row
         })
         .collect()
 }
 
-fn row(gate: &Gate, fault: &Fault) -> Result<Row, Invalid> {
+fn row(trial: &Trial, fault: &Fault) -> Result<Row, Invalid> {
     let (size, natural, (smallest, evidence)) = match fault.size {
-        Size::Amount { meaning, natural } => (meaning, Some(natural), amount(gate, fault, natural)?),
+        Size::Amount { meaning, natural } => (meaning, Some(natural), amount(trial, fault, natural)?),
         Size::Depth(followers) => {
-            let deepest = gate.depth(&fault.oracle).saturating_sub(followers);
-            ("impact", Some(deepest as f64), depths(gate, fault, deepest)?)
+            let deepest = trial.depth(&fault.oracle).saturating_sub(followers);
+            ("impact", Some(deepest as f64), depths(trial, fault, deepest)?)
         }
         Size::Whole => (
             "",
             None,
-            match gate.detects(fault, 1.0, None)? {
+            match trial.detects(fault, 1.0, None)? {
                 Some(found) => (Smallest::Seen, Some(found)),
                 None => (Smallest::Escapes, None),
             },
@@ -96,15 +96,15 @@ fn row(gate: &Gate, fault: &Fault) -> Result<Row, Invalid> {
 }
 
 /// Down from the natural size by powers of ten until the gate is green, and then between the last two.
-fn amount(gate: &Gate, fault: &Fault, natural: f64) -> Result<(Smallest, Option<Evidence>), Invalid> {
-    let Some(mut evidence) = gate.detects(fault, natural, None)? else {
+fn amount(trial: &Trial, fault: &Fault, natural: f64) -> Result<(Smallest, Option<Evidence>), Invalid> {
+    let Some(mut evidence) = trial.detects(fault, natural, None)? else {
         return Ok((Smallest::Escapes, None));
     };
     let mut red = natural;
     let mut green = None;
     for _ in 0..DECADES {
         let smaller = 0.1 * red;
-        match gate.detects(fault, smaller, Some(&evidence))? {
+        match trial.detects(fault, smaller, Some(&evidence))? {
             Some(found) => (red, evidence) = (smaller, found),
             None => {
                 green = Some(smaller);
@@ -113,29 +113,29 @@ fn amount(gate: &Gate, fault: &Fault, natural: f64) -> Result<(Smallest, Option<
         }
     }
     let Some(mut green) = green else {
-        return Ok((Smallest::Any(red), gate.detects(fault, red, None)?));
+        return Ok((Smallest::Any(red), trial.detects(fault, red, None)?));
     };
     while red > PRECISION * green {
         let middle = (red * green).sqrt();
-        match gate.detects(fault, middle, Some(&evidence))? {
+        match trial.detects(fault, middle, Some(&evidence))? {
             Some(found) => (red, evidence) = (middle, found),
             None => green = middle,
         }
     }
     // Once more without a hint, so that the evidence does not depend on the threads.
-    Ok((Smallest::Amount(red), gate.detects(fault, red, None)?))
+    Ok((Smallest::Amount(red), trial.detects(fault, red, None)?))
 }
 
 /// Every depth.
-fn depths(gate: &Gate, fault: &Fault, deepest: usize) -> Result<(Smallest, Option<Evidence>), Invalid> {
+fn depths(trial: &Trial, fault: &Fault, deepest: usize) -> Result<(Smallest, Option<Evidence>), Invalid> {
     let mut last = None;
     let mut missed = Vec::new();
     for depth in 1..=deepest {
-        match gate.detects(fault, depth as f64, last.as_ref())? {
+        match trial.detects(fault, depth as f64, last.as_ref())? {
             Some(found) => last = Some(found),
             None => missed.push(depth),
         }
     }
-    let shown = gate.detects(fault, 1.0, None)?;
+    let shown = trial.detects(fault, 1.0, None)?;
     Ok((if missed.is_empty() { Smallest::EveryDepth } else { Smallest::EscapesAt(missed) }, shown))
 }

@@ -3,17 +3,17 @@
 //!
 //! - The [`catalogue`] lists the faults.
 //! - A fault is planted ([`plant`]) by tampering with what an oracle is asked or what it answers; or, where it sits inside of a method, by
-//!   putting a [`specimen`] (or, for the series, a [`recursion`]) that makes it in the place of the oracle, under its name and with its claims.
-//! - The [`gate`] is that of `verify`, on a fixed set of cases, with the answers of the honest oracles kept.
+//!   putting a [`stepper`] (or, for the series, a [`recursion`]) that makes it in the place of the oracle, under its name and with its claims.
+//! - A [`trial`] is the gate of `verify` on a fixed set of cases, with the answers of the honest oracles kept.
 //! - The [`floor`] is the smallest size at which the gate is red.
 
 pub mod catalogue;
 pub mod floor;
-pub mod gate;
 pub mod plant;
 pub mod recursion;
 pub mod remember;
-pub mod specimen;
+pub mod stepper;
+pub mod trial;
 
 use plant::Plant;
 

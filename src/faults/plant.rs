@@ -4,7 +4,7 @@ use contract::{Case, Decline, History, Invalid, Model, Oracle, Sensitivity};
 
 use super::{
     recursion::{self, Lost},
-    specimen::{self, Wrong},
+    stepper::{self, Wrong},
 };
 
 /// One way to plant a fault of a given size.
@@ -16,7 +16,7 @@ pub enum Plant {
     Answer(fn(&Case, f64, &mut History)),
     /// The oracle declines some cases.
     Refusal(fn(&Case) -> bool),
-    /// A [`specimen`] that makes the fault takes the place of the closed form.
+    /// A [`stepper`] that makes the fault takes the place of the closed form.
     Stepper(fn(f64) -> Wrong),
     /// A [`recursion`] that makes the fault takes the place of the series.
     Series(fn(f64) -> Lost),
@@ -64,7 +64,7 @@ impl Oracle for Planted<'_> {
                 true => Err(Decline::Unsupported { what: "this case" }),
                 false => self.honest.history(case),
             },
-            Plant::Stepper(wrong) => Ok(specimen::history(case, &wrong(self.size), &self.honest.history(case)?)),
+            Plant::Stepper(wrong) => Ok(stepper::history(case, &wrong(self.size), &self.honest.history(case)?)),
             Plant::Series(lost) => Ok(recursion::history(case, &lost(self.size), &self.honest.history(case)?)),
         }
     }

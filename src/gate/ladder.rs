@@ -89,14 +89,17 @@ impl Descent {
 const PLACES: [(f64, f64, f64); 6] =
     [(2.0, 0.92, 0.8), (0.5, 0.92, 0.5), (8.0, 0.92, 0.9), (2.0, 0.6, 0.7), (1.0, 0.8, 0.6), (4.0, 0.95, 0.5)];
 
+/// Whether an oracle can be the one that the others are held against on the ladders: the first such of a panel is.
+pub fn is_stepper(oracle: &dyn Oracle, series: &str) -> bool {
+    oracle.model() == Model::Linear && oracle.name() != series
+}
+
 /// Climbs down both ladders everywhere, with the first linear oracle of the panel against each nonlinear one, and against the `series`.
 ///
 /// # Errors
 /// Never for the built-in places; the contract would have to refuse one.
 pub fn descend(panel: &[&dyn Oracle], series: &str) -> Result<Vec<Descent>, Invalid> {
-    let Some(stepper) = panel.iter().find(|oracle| oracle.model() == Model::Linear && oracle.name() != series) else {
-        return Ok(Vec::new());
-    };
+    let Some(stepper) = panel.iter().find(|oracle| is_stepper(**oracle, series)) else { return Ok(Vec::new()) };
     let mut descents = Vec::new();
     for other in panel {
         let ladder = match other.model() {

@@ -6,21 +6,21 @@
 
 pub mod estimate;
 pub mod evidence;
-mod method;
 mod refusal;
 mod run;
 mod scene;
 mod stepping;
+mod way;
 
 use contract::Case;
 
 use crate::motion::response::Request;
 
 pub use estimate::{Errors, Place};
-pub use method::Method;
 pub use refusal::Refusal;
 pub use run::{Answer, Attempt, Conclusion};
 pub use stepping::{Found, step};
+pub use way::Way;
 
 /// A question about the chattering time of one case.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +64,7 @@ impl Question {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// The method.
-    pub method: Method,
+    pub method: Way,
     /// The predicted error, or why there is none.
     pub errors: Result<Errors, Refusal>,
     /// The predicted cost in microseconds; only ratios mean anything.
@@ -90,7 +90,7 @@ pub struct Plan {
 impl Plan {
     /// The plan for a question.
     pub fn new(question: Question) -> Self {
-        let mut candidates: Vec<Candidate> = method::ALL
+        let mut candidates: Vec<Candidate> = way::ALL
             .into_iter()
             .map(|method| Candidate { method, errors: method.predict(&question), cost: method.cost(&question) })
             .collect();

@@ -2,7 +2,7 @@
 
 use contract::{Decline, Ending, Estimate, Oracle};
 
-use super::{Candidate, Errors, Found, Method, Plan, Question, method::CLOSING_SHARE, step};
+use super::{Candidate, Errors, Found, Plan, Question, Way, step, way::CLOSING_SHARE};
 use crate::{
     measure::asking::{Reply, ask},
     motion::response::{BoutEnd, Request, Response},
@@ -15,7 +15,7 @@ const IMPACTS: usize = 400;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attempt {
     /// The method.
-    pub method: Method,
+    pub method: Way,
     /// What it found; `None` if it had no answer.
     pub found: Option<Conclusion>,
     /// Why it had none, if it declined.
@@ -68,7 +68,7 @@ impl Answer {
     }
 
     /// The method whose answer it is.
-    pub fn method(&self) -> Option<Method> {
+    pub fn method(&self) -> Option<Way> {
         Some(self.attempts.last()?.method)
     }
 }
@@ -111,7 +111,7 @@ fn meets(found: Option<Conclusion>, tolerance: f64) -> bool {
 
 /// What happens after half a period, by flights of the very equation that is asked for.
 fn afterwards(question: &Question, request: &Request) -> Attempt {
-    let method = if question.alpha() > 0.0 { Method::Nonlinear } else { Method::Linear };
+    let method = if question.alpha() > 0.0 { Way::Nonlinear } else { Way::Linear };
     let ran =
         method.oracle(question).map_or(Ok((None, 0)), |oracle| responded(oracle.as_ref(), request, &Errors::default()));
     match ran {
@@ -126,15 +126,15 @@ type Ran = Result<(Option<Conclusion>, usize), Decline>;
 fn run(candidate: &Candidate, question: &Question) -> Ran {
     let Ok(errors) = &candidate.errors else { return Ok((None, 0)) };
     match candidate.method {
-        Method::Nothing => Ok((Some(Conclusion::NeverRocks), 0)),
-        Method::CriticalAmplitude => Ok((Some(Conclusion::Incomplete), 0)),
-        Method::Linear | Method::Corrected | Method::Nonlinear => stepped(candidate.method, question, errors),
+        Way::Nothing => Ok((Some(Conclusion::NeverRocks), 0)),
+        Way::CriticalAmplitude => Ok((Some(Conclusion::Incomplete), 0)),
+        Way::Linear | Way::Corrected | Way::Nonlinear => stepped(candidate.method, question, errors),
         method => asked(method, question, errors),
     }
 }
 
 /// An oracle's answer.
-fn asked(method: Method, question: &Question, errors: &Errors) -> Ran {
+fn asked(method: Way, question: &Question, errors: &Errors) -> Ran {
     let (Some(oracle), Ok(case)) = (method.oracle(question), question.case.with_max_impacts(IMPACTS)) else {
         return Ok((None, 0));
     };
@@ -157,7 +157,7 @@ fn with(time: Estimate, relative: f64) -> Estimate {
 }
 
 /// Flights, no more than are needed.
-fn stepped(method: Method, question: &Question, errors: &Errors) -> Ran {
+fn stepped(method: Way, question: &Question, errors: &Errors) -> Ran {
     if let Some(request) = &question.request {
         return method.oracle(question).map_or(Ok((None, 0)), |oracle| responded(oracle.as_ref(), request, errors));
     }

@@ -1,4 +1,4 @@
-//! Every planted fault is seen, and the specimens that faults are planted with are honest without one.
+//! Every planted fault is seen, and the steppers that faults are planted with are honest without one.
 
 use std::sync::OnceLock;
 
@@ -7,20 +7,20 @@ use chattercheck::{
         Fault, Size,
         catalogue::catalogue,
         floor::{self, Smallest},
-        gate::Gate,
         plant::Plant,
         recursion::Lost,
-        specimen::Wrong,
+        stepper::Wrong,
+        trial::Trial,
     },
     panel,
 };
 
 /// One oracle of each kind; built once, and what the honest ones answered is kept from test to test.
-fn gate() -> &'static Gate {
-    static GATE: OnceLock<Gate> = OnceLock::new();
-    GATE.get_or_init(|| {
+fn trial() -> &'static Trial {
+    static TRIAL: OnceLock<Trial> = OnceLock::new();
+    TRIAL.get_or_init(|| {
         let names = "closed-form,ode/linear/tsit45,ode/nonlinear/tsit45,taylor,asymptotic/paper";
-        Gate::new(panel::select(names).unwrap(), 1)
+        Trial::new(panel::select(names).unwrap(), 1)
     })
 }
 
@@ -28,8 +28,8 @@ fn gate() -> &'static Gate {
 const FINEST: f64 = 2e-14;
 
 #[test]
-fn without_a_mistake_the_specimens_pass() {
-    let gate = gate();
+fn without_a_mistake_the_steppers_pass() {
+    let trial = trial();
     let honest = |oracle: &str, plant: Plant| {
         let oracle = oracle.to_owned();
         Fault { name: "none", what: "", oracle, size: Size::Whole, plant }
@@ -38,15 +38,15 @@ fn without_a_mistake_the_specimens_pass() {
         honest("closed-form", Plant::Stepper(|_| Wrong::default())),
         honest("asymptotic/paper", Plant::Series(|_| Lost::default())),
     ] {
-        let found = gate.detects(&fault, 0.0, None).unwrap();
+        let found = trial.detects(&fault, 0.0, None).unwrap();
         assert!(found.is_none(), "{} is not honest: {found:?}", fault.oracle);
     }
 }
 
 #[test]
 fn no_fault_escapes_at_its_natural_size() {
-    let gate = gate();
-    let faults = catalogue(gate.oracles());
+    let trial = trial();
+    let faults = catalogue(trial.oracles());
     assert!(faults.len() >= 80, "{} faults", faults.len());
     for fault in &faults {
         let sizes = match fault.size {
@@ -55,7 +55,7 @@ fn no_fault_escapes_at_its_natural_size() {
             Size::Whole => vec![1.0],
         };
         for size in sizes {
-            let found = gate.detects(fault, size, None).unwrap();
+            let found = trial.detects(fault, size, None).unwrap();
             assert!(found.is_some(), "\"{}\" of size {size} in {} escapes", fault.name, fault.oracle);
         }
     }
@@ -63,11 +63,11 @@ fn no_fault_escapes_at_its_natural_size() {
 
 #[test]
 fn the_finest_errors_of_the_parameters_are_seen() {
-    let gate = gate();
-    let mut faults = catalogue(gate.oracles());
+    let trial = trial();
+    let mut faults = catalogue(trial.oracles());
     faults.retain(|fault| fault.oracle == "closed-form" && fault.name.contains("is off"));
     faults.retain(|fault| ["eta", "omega", "a "].iter().any(|name| fault.name.starts_with(name)));
-    let rows = floor::table(gate, &faults, || ()).unwrap();
+    let rows = floor::table(trial, &faults, || ()).unwrap();
     assert_eq!(rows.len(), 4);
     for row in rows {
         assert!(matches!(row.smallest, Smallest::Amount(size) if size <= FINEST), "{row:?}");

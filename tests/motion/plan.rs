@@ -5,7 +5,7 @@ use chattercheck::{
     measure::{asking::ask, critical},
     motion::linearisation::{Flights, Linearisation},
     panel,
-    plan::{Conclusion, Found, Method, Place, Plan, evidence, step},
+    plan::{Conclusion, Found, Place, Plan, Way, evidence, step},
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{
@@ -161,16 +161,9 @@ fn no_answer_misses_its_tolerance() {
     assert!(misses.is_empty(), "{} of {many}: {}", misses.len(), misses.join("\n"));
     let met = answers.iter().filter(|(answer, _)| answer.meets).count();
     assert!(met as f64 > 0.98 * many as f64, "{met} of {many} are as accurate as asked");
-    let by = |method: Method| answers.iter().filter(|(answer, _)| answer.method() == Some(method)).count();
-    let counts = [
-        Method::Nothing,
-        Method::CriticalAmplitude,
-        Method::Linear,
-        Method::Corrected,
-        Method::Nonlinear,
-        Method::Enclosure,
-    ]
-    .map(by);
+    let by = |method: Way| answers.iter().filter(|(answer, _)| answer.method() == Some(method)).count();
+    let counts =
+        [Way::Nothing, Way::CriticalAmplitude, Way::Linear, Way::Corrected, Way::Nonlinear, Way::Enclosure].map(by);
     println!("{counts:?}");
     for (k, count) in counts.iter().enumerate().take(5) {
         assert!(*count > 0, "method {k} is never chosen: {counts:?}");

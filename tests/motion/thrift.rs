@@ -2,7 +2,7 @@
 
 use chattercheck::{
     measure::zeno,
-    plan::{Method, Plan, Question, evidence},
+    plan::{Plan, Question, Way, evidence},
 };
 use closed_form::ClosedForm;
 use contract::{Case, Ending, History, Model, Oracle};
@@ -27,7 +27,7 @@ fn no_more_impacts_than_the_tail_needs() {
         }
         let answer = Plan::new(Question::new(case, question.tolerance)).answer();
         let attempt = answer.attempts.last().unwrap();
-        if attempt.method != Method::Linear {
+        if attempt.method != Way::Linear {
             continue;
         }
         let truth = zeno::close(&history, case.eta()).unwrap().value;

@@ -3,7 +3,7 @@
 use super::{Fault, amount, whole};
 use crate::faults::{
     plant::Plant::Stepper,
-    specimen::{Terms, Wrong},
+    stepper::{Terms, Wrong},
 };
 
 const SHARE: &str = "share of the term that is lost";

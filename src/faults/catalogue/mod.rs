@@ -15,7 +15,7 @@ use contract::Model;
 use super::{Fault, Size, plant::Plant};
 use crate::panel::SERIES;
 
-/// The oracle that the specimen stands in for, and in which most faults are planted: it claims the least error, so that it is the others
+/// The oracle that the stepper stands in for, and in which most faults are planted: it claims the least error, so that it is the others
 /// that have to be good enough to see them.
 const STEPPER: &str = "closed-form";
 

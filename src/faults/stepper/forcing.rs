@@ -1,4 +1,4 @@
-//! The excitation as the specimen computes it.
+//! The excitation as the stepper computes it.
 
 use contract::Case;
 

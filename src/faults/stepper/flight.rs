@@ -1,4 +1,4 @@
-//! One flight of the specimen.
+//! One flight of the stepper.
 
 use super::{
     Wrong,

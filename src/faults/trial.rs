@@ -21,7 +21,7 @@ use crate::{
 };
 
 /// A panel, cases, and what the honest oracles answer to them.
-pub struct Gate {
+pub struct Trial {
     oracles: Vec<Remembering>,
     judges: Vec<Remembering>,
     cases: Vec<Named>,
@@ -45,7 +45,7 @@ const RANDOM: usize = 48;
 const EVERY: [(Generator, usize); 4] =
     [(Generator::List, 1), (Generator::Spaced, 5), (Generator::Random, 1), (Generator::Edge, 7)];
 
-impl Gate {
+impl Trial {
     /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 48 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
         let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) }, panel::stepper().as_ref());
@@ -151,8 +151,7 @@ impl Gate {
         place: usize,
         tallies: Vec<Tally>,
     ) -> Result<Option<Evidence>, Invalid> {
-        let is_stepper = |oracle: &dyn Oracle| oracle.model() == Model::Linear && oracle.name() != SERIES;
-        let stepper = panel.iter().position(|oracle| is_stepper(*oracle));
+        let stepper = panel.iter().position(|oracle| ladder::is_stepper(*oracle, SERIES));
         let on_ladders: Vec<&dyn Oracle> = panel
             .iter()
             .enumerate()

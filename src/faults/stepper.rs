@@ -15,10 +15,10 @@ use crate::measure::{clock::Sum, excitation::half_period};
 use flight::{Flight, Landfall};
 use forcing::Excitation;
 
-/// The specimen's claims, in those of the closed form. It rounds a little more often.
+/// The stepper's claims, in those of the closed form. It rounds a little more often.
 const CLAIMED: f64 = 2.0;
 
-/// What is wrong with the specimen. All zero is nothing.
+/// What is wrong with the stepper. All zero is nothing.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrong {
     /// Shares lost of the terms of `A_n` (Eq. 10).
@@ -66,7 +66,7 @@ pub struct Terms {
     pub side: f64,
 }
 
-/// The history by a specimen with what is `wrong`; its claims are those of the `honest` closed form.
+/// The history by a stepper with what is `wrong`; its claims are those of the `honest` closed form.
 pub fn history(case: &Case, wrong: &Wrong, honest: &History) -> History {
     if case.epsilon() <= 0.0 {
         return History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None };

@@ -12,7 +12,7 @@ use crate::{
 
 /// A way to answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
+pub enum Way {
     /// The ground never reaches the threshold: there is nothing to compute.
     Nothing,
     /// The amplitude is above the critical one: the chattering is incomplete.
@@ -36,19 +36,19 @@ pub enum Method {
 }
 
 /// The candidates.
-pub(super) const ALL: [Method; 12] = [
-    Method::Nothing,
-    Method::CriticalAmplitude,
-    Method::Linear,
-    Method::Corrected,
-    Method::PaperSeries,
-    Method::Series(1),
-    Method::Series(4),
-    Method::Series(16),
-    Method::Nonlinear,
-    Method::Ode,
-    Method::Resummed,
-    Method::Enclosure,
+pub(super) const ALL: [Way; 12] = [
+    Way::Nothing,
+    Way::CriticalAmplitude,
+    Way::Linear,
+    Way::Corrected,
+    Way::PaperSeries,
+    Way::Series(1),
+    Way::Series(4),
+    Way::Series(16),
+    Way::Nonlinear,
+    Way::Ode,
+    Way::Resummed,
+    Way::Enclosure,
 ];
 
 /// What a sum that is closed may leave, as a share of the tolerance.
@@ -58,7 +58,7 @@ const STEPPING: f64 = 1e-14;
 /// The same for the generic solver at its finest.
 const SOLVER: f64 = 1e-11;
 
-impl Method {
+impl Way {
     /// The oracle that it is, if it is one.
     pub fn oracle(self, question: &Question) -> Option<Box<dyn Oracle>> {
         let equation = if question.case.slenderness().is_some() { "nonlinear" } else { "linear" };
@@ -205,7 +205,7 @@ fn impacts(eta: f64, tolerance: f64) -> f64 {
     8.0 + digits.max(1.0) * (1.0 + 0.5 / (1.0 - eta * eta))
 }
 
-impl fmt::Display for Method {
+impl fmt::Display for Way {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
             Self::Nothing => "nothing",
