@@ -75,16 +75,40 @@ pub enum Decline {
         /// What it does not do.
         what: &'static str,
     },
+    /// An engine that somebody else wrote refuses the case, in its own words.
+    ByEngine {
+        /// The reason without its numbers, for counting.
+        reason: String,
+        /// Why, with the numbers; may be empty.
+        why: String,
+    },
+    /// Not a refusal: an engine that somebody else wrote broke, and there is no answer. Whoever counts refusals has to treat it as a failure
+    /// ([`Decline::is_breakdown`]), and it says nothing about the physics.
+    NoAnswer {
+        /// The name of what happened, as in `timed out`.
+        breakdown: &'static str,
+        /// What happened to this engine, with the numbers.
+        happened: String,
+        /// What to do about it.
+        advice: String,
+    },
 }
 
 impl Decline {
+    /// Whether this is an engine that broke, and not one that refused.
+    pub fn is_breakdown(&self) -> bool {
+        matches!(self, Self::NoAnswer { .. })
+    }
+
     /// The reason without its numbers, for counting.
-    pub fn reason(&self) -> &'static str {
+    pub fn reason(&self) -> &str {
         match self {
             Self::NeedsSlenderness => "needs a slenderness",
             Self::OutOfRange { .. } => "out of range",
             Self::NotConvergent { .. } => "not convergent",
             Self::Unsupported { .. } => "unsupported",
+            Self::ByEngine { reason, .. } => reason,
+            Self::NoAnswer { breakdown, .. } => breakdown,
         }
     }
 }
@@ -98,6 +122,9 @@ impl fmt::Display for Decline {
             }
             Self::NotConvergent { why } => f.write_str(why),
             Self::Unsupported { what } => write!(f, "this method does not do {what}"),
+            Self::ByEngine { reason, why } if why.is_empty() => f.write_str(reason),
+            Self::ByEngine { reason, why } => write!(f, "{reason}: {why}"),
+            Self::NoAnswer { breakdown, happened, advice } => write!(f, "{breakdown}: {happened}. {advice}"),
         }
     }
 }

@@ -95,8 +95,10 @@ fn it_ends_and_declines_as_the_contract_says() {
         let history = Asymptotic::new().history(&Case::from_amplitude(a, 2.0, 0.92).unwrap()).unwrap();
         assert_eq!((history.ending, history.impacts.len()), (Ending::NeverRocks, 0));
     }
-    let reason =
-        |a, omega, eta| Asymptotic::new().history(&Case::from_amplitude(a, omega, eta).unwrap()).unwrap_err().reason();
+    let reason = |a, omega, eta| {
+        let case = Case::from_amplitude(a, omega, eta).unwrap();
+        Asymptotic::new().history(&case).unwrap_err().reason().to_owned()
+    };
     assert_eq!(reason(1.05, 2.0, 0.92), "not convergent");
     assert_eq!(reason(1.0001, 0.01, 0.92), "not convergent");
     assert_eq!(reason(1e9, 2.0, 0.92), "not convergent");

@@ -82,9 +82,22 @@ fn refusals_are_told_in_words() {
         out,
         Decline::NotConvergent { why: String::from("1 > 0") },
         Decline::Unsupported { what: "this" },
+        Decline::ByEngine { reason: String::from("too slender"), why: String::from("alpha = 0.001") },
+        Decline::NoAnswer {
+            breakdown: "timed out",
+            happened: String::from("10 s"),
+            advice: String::from("Wait longer."),
+        },
     ];
-    let told = reasons.map(|decline| decline.reason());
-    assert_eq!(told, ["needs a slenderness", "out of range", "not convergent", "unsupported"]);
+    let told = reasons.each_ref().map(Decline::reason);
+    assert_eq!(
+        told,
+        ["needs a slenderness", "out of range", "not convergent", "unsupported", "too slender", "timed out"]
+    );
+    assert_eq!(reasons.each_ref().map(Decline::is_breakdown), [false, false, false, false, false, true]);
+    let [.., refused, broke] = reasons;
+    assert_eq!(refused.to_string(), "too slender: alpha = 0.001");
+    assert_eq!(broke.to_string(), "timed out: 10 s. Wait longer.");
 }
 
 /// An oracle that says nothing of derivatives has none.
