@@ -149,3 +149,22 @@ fn descent(
     let oracles = [stepper.name().to_owned(), other.name().to_owned()];
     Ok(Descent { ladder, oracles, omega, eta, rungs, order, expected: (expected, tolerance.value) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Descent, Ladder};
+
+    /// A difference that falls too slowly is a wrong order as one that falls too fast; having seen none is no order.
+    #[test]
+    fn an_order_may_be_off_to_neither_side() {
+        let holds = |order: Option<f64>| {
+            let oracles = ["one".to_owned(), "two".to_owned()];
+            let rungs = Vec::new();
+            Descent { ladder: Ladder::Alpha, oracles, omega: 2.0, eta: 0.9, rungs, order, expected: (2.0, 0.25) }
+                .holds()
+        };
+        let orders = [1.0, 1.7, 1.75, 2.0, 2.25, 2.3, 3.0, f64::NAN];
+        assert_eq!(orders.map(|order| holds(Some(order))), [false, false, true, true, true, false, false, false]);
+        assert!(!holds(None));
+    }
+}

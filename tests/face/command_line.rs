@@ -220,6 +220,22 @@ fn a_replay_of_what_is_mended_passes() {
     assert!(printed.contains("seen once") && printed.contains("PASS"), "{printed}");
 }
 
+/// Where nothing was compared nothing is mended: the status says so as the text does.
+#[test]
+fn a_replay_that_compares_nothing_is_red() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("replay.toml");
+    // The series has nothing to say at so large an amplitude.
+    let alone = replay_text()
+        .replace("\"ode/linear/tsit45\"", "\"asymptotic/paper\"")
+        .replace("0.03125", "0.5")
+        .replace("0x1p-5", "0x1p-1");
+    std::fs::write(&path, alone).unwrap();
+    let assert = chattercheck(&format!("replay {}", path.display())).assert().code(1);
+    let text = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+    assert!(text.contains("nothing was compared") && text.contains("FAIL: this says nothing"), "{text}");
+}
+
 #[test]
 fn verify_is_green_deterministic_and_written_for_machines() {
     let folder = tempfile::tempdir().unwrap();

@@ -139,6 +139,22 @@ fn only_a_sample_is_judged_unless_something_is_wrong() {
     }
 }
 
+/// Where the judge of one model is missing, what the other model's oracles said was not judged, and neither was the case.
+#[test]
+fn a_case_is_judged_where_every_history_is() {
+    let slender = contract::Slenderness::new(0.1, contract::Normalisation::Threshold).unwrap();
+    let named = Named { case: fig2().case.with_slenderness(slender), ..fig2() };
+    let panel = panel::select("closed-form,taylor").unwrap();
+    let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let judges = panel::judges();
+    let oracles: Vec<&dyn Oracle> = judges.iter().map(AsRef::as_ref).collect();
+    let judged = |oracles: &[&dyn Oracle]| {
+        let judges = Judges { oracles: oracles.to_vec(), every: 1 };
+        run::run(&panel, &judges, std::slice::from_ref(&named), 0, None, &()).tally.judged()
+    };
+    assert_eq!((judged(&oracles), judged(&oracles[..1]), judged(&oracles[1..])), (1, 0, 0));
+}
+
 #[test]
 fn the_judge_and_the_oracle_with_the_printed_equations_agree() {
     // Both claim little more than the rounding to doubles, and have nothing in common.

@@ -12,6 +12,7 @@ mod judge;
 mod linearisation;
 mod planted_responses;
 mod reach;
+mod reports;
 mod responses;
 mod shrink;
 

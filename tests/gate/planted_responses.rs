@@ -389,6 +389,9 @@ fn what_disagrees_is_shrunk_to_a_scene() {
         (asked.case.amplitude(), asked.case.omega(), asked.phase),
         (shaking.case.amplitude(), shaking.case.omega(), shaking.phase)
     );
+    // The end of the shaking goes through cycles and seconds; it is what is wrong here.
+    let (end, wanted) = (asked.lasts.unwrap(), shaking.lasts.unwrap());
+    assert!((end / wanted - 1.0).abs() < 1e-14, "{end} for {wanted}");
 }
 
 /// A whole response that is wrong turns the run red, in the text, in the JSON and in JUnit; one case or response is not that of another.

@@ -184,6 +184,10 @@ fn the_same_seed_gives_the_same_cases_and_another_seed_others() {
     let of = |seed| Generator::Random.cases(seed, 50, stepper().as_ref());
     assert_eq!(of(7), of(7));
     assert_ne!(of(7), of(8));
+    // Every byte of a seed counts.
+    let first = |seed| format!("{:?}", Generator::Random.cases(seed, 1, stepper().as_ref())[0].case);
+    let seeds = (0..8).map(|byte| 7 + (1 << (8 * byte)));
+    assert_eq!(seeds.chain([7]).map(first).collect::<std::collections::HashSet<_>>().len(), 9);
     // A longer run begins with the cases of a shorter one.
     assert_eq!(of(7)[..20], Generator::Random.cases(7, 20, stepper().as_ref())[..]);
 }

@@ -11,7 +11,7 @@ use chattercheck::{
     },
     panel,
 };
-use contract::{Case, Ending, History, Oracle};
+use contract::{Case, Ending, History, Horizon, Oracle};
 
 /// How many digits a number is written with.
 fn digits(value: f64) -> usize {
@@ -68,6 +68,37 @@ fn a_case_is_shrunk_to_the_impact_and_to_few_digits() {
         assert!(digits(of(&small.case)) <= 2 && digits(of(&case)) > 10, "{small:?}");
     }
     assert_eq!(small.oracles, ["closed-form", "ode/linear/tsit45"]);
+}
+
+/// What shows only past half a period of the excitation takes a horizon that reaches there, and everything else gets small.
+#[test]
+fn what_needs_the_horizon_keeps_it() {
+    let change: fn(&Case, f64, &mut History) = |case, _, history| {
+        let half_period = std::f64::consts::PI / case.omega();
+        if let Some(late) = history.impacts.iter_mut().find(|impact| impact.time > half_period) {
+            late.velocity *= 1.001;
+        }
+    };
+    let honest = panel::select("closed-form,ode/linear/tsit45").unwrap();
+    let planted = Planted { honest: honest[0].as_ref(), plant: Plant::Answer(change), size: 1.0 };
+    let oracles: [&dyn Oracle; 2] = [&planted, honest[1].as_ref()];
+    let case = Case::from_epsilon(0.512345678912, 2.01234567891, 0.921234567891).unwrap();
+    let case = case.with_horizon(Horizon::Until(3.5)).unwrap();
+    let findings = examine(&oracles, &case).findings();
+    let small = shrink(&oracles, &Judges::default(), &case, &findings[0]);
+    assert!(small.finding.resembles(&findings[0]) && small.case.horizon() == case.horizon(), "{small:?}");
+    for of in [Case::epsilon, Case::omega, Case::eta] {
+        assert!(digits(of(&small.case)) <= 2, "{small:?}");
+    }
+    // One that needs none loses it: at this amplitude there are impacts at once.
+    let case = Case::from_epsilon(0.0312345678912, 2.01234567891, 0.921234567891).unwrap();
+    let case = case.with_horizon(Horizon::Until(3.5)).unwrap();
+    let change: fn(&Case, f64, &mut History) =
+        |_, _, history| history.impacts.iter_mut().for_each(|impact| impact.velocity *= 1.001);
+    let planted = Planted { honest: honest[0].as_ref(), plant: Plant::Answer(change), size: 1.0 };
+    let oracles: [&dyn Oracle; 2] = [&planted, honest[1].as_ref()];
+    let small = shrink(&oracles, &Judges::default(), &case, &examine(&oracles, &case).findings()[0]);
+    assert_eq!(small.case.horizon(), Horizon::HalfPeriod);
 }
 
 #[test]

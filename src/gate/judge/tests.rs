@@ -23,6 +23,12 @@ fn every_listed_case_and_every_so_many_others_are_asked() {
     assert_eq!(asks(&every(2)), [[true; 4], [true, false, true, false]]);
     assert_eq!(asks(&every(0)), [[true; 4], [true; 4]]);
     assert_eq!(asks(&Judges { oracles: Vec::new(), every: 1 }), [[false; 4]; 2]);
+    // As many at the end of a long run as at its beginning.
+    let of_a_thousand = |from: usize| {
+        let asked = (from..from + 1000).filter(|place| every(10).asks(*place, &named(Generator::Random)));
+        asked.count()
+    };
+    assert_eq!([0, 1000, 50_000, 900_000].map(of_a_thousand), [100; 4]);
 }
 
 /// The judge is another method here, which serves to see what is put beside what.

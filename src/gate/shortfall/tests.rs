@@ -74,6 +74,21 @@ fn each_shortfall_is_found_where_there_are_cases_enough() {
     }
 }
 
+/// What the panel says that an oracle may decline is the limit, and of few cases the ten that prove nothing.
+#[test]
+fn an_oracle_may_decline_its_share_and_no_more() {
+    let roles = Roles { series: "none", may_decline: &|oracle| if oracle == "two" { 0.25 } else { 0.0 } };
+    let declining = |oracle: &str, cases: usize, declined: usize| {
+        let mut run = run(cases);
+        run.tally
+            .declines
+            .insert(oracle.to_owned(), [("one reason".to_owned(), 2), ("two".to_owned(), declined - 2)].into());
+        shortfalls(&run, &roles).0.len()
+    };
+    assert_eq!((declining("two", 200, 50), declining("two", 200, 51)), (0, 1));
+    assert_eq!((declining("one", 200, 10), declining("one", 200, 11)), (0, 1));
+}
+
 /// A run of a few chosen cases has to have compared something, and to have run what it was given.
 #[test]
 fn a_few_chosen_cases_only_have_to_have_compared_something() {
