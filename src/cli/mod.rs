@@ -10,6 +10,7 @@ mod diagnose;
 mod estimate;
 mod files;
 mod followed;
+mod judge;
 mod numbers;
 mod oracle_flags;
 mod oracles;
@@ -50,6 +51,7 @@ struct Cli {
 enum Command {
     Verify(verify::Arguments),
     Replay(replay::Arguments),
+    Judge(judge::Arguments),
     Simulate(simulate::Arguments),
     ChatteringTime(chattering_time::Arguments),
     CriticalAmplitude(critical_amplitude::Arguments),
@@ -108,6 +110,7 @@ pub(crate) fn run() -> ExitCode {
     let result = match cli.command {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Replay(arguments) => replay::run(&arguments),
+        Command::Judge(arguments) => judge::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::ChatteringTime(arguments) => chattering_time::run(&arguments),
         Command::CriticalAmplitude(arguments) => critical_amplitude::run(&arguments),

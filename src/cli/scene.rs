@@ -96,7 +96,7 @@ fn text(answer: &Answer) -> String {
         }
     };
     let mut lines = vec![
-        answer.title.clone(),
+        if answer.title.is_empty() { "(no title)".to_owned() } else { answer.title.clone() },
         format!("  a = {a}{normalisation}, omega = {omega}, eta = {eta}{alpha}, {model}"),
         format!("  p = {frequency_parameter} 1/s, ground acceleration {ground_acceleration} m/s^2"),
         format!("  {rocks}"),
@@ -125,7 +125,8 @@ fn answered(answers: &Answers, tolerance: f64) -> Vec<String> {
     let rests = rest_periods
         .as_ref()
         .map(|rests| format!("at rest (s): {}", list(rests.iter().map(|(from, to)| format!("{from:.6} to {to:.6}")))));
-    let whole = response.map(|response| {
+    // That it does not rock is said above.
+    let whole = response.filter(|response| response.bouts > 0).map(|response| {
         let times = if response.bouts == 1 { "time" } else { "times" };
         format!(
             "rocks {} {times} from rest to rest, with {} impacts resolved, until {:.6} s: {}",

@@ -12,6 +12,7 @@ pub mod identity;
 pub mod judge;
 pub mod ladder;
 pub mod laws;
+pub mod listed;
 pub mod pair;
 pub mod progress;
 pub mod replay;

@@ -5,6 +5,7 @@ mod command_line;
 mod guide;
 mod hostile;
 mod independence;
+mod judged_lists;
 mod options;
 mod pages;
 mod paths;
