@@ -11,7 +11,7 @@ use chattercheck::{
     panel,
 };
 use clap::Args;
-use contract::{Case, Invalid, Model};
+use contract::{Case, Horizon, Invalid, Model};
 use serde::Serialize;
 
 use super::{
@@ -96,6 +96,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = panel::judges();
     let judge = judges.iter().find(|judge| judge.model() == model).ok_or_else(|| anyhow!("no judge of this model"))?;
     let case = listed::case_for(&case, &list)?;
+    // A case goes on past half a period as a scene may not.
+    if let (Some(scene), Horizon::Until(last)) = (&arguments.case.scene, case.horizon()) {
+        bail!("time = {last} is past half a period, where judge does not know the motion of {}", scene.display());
+    }
     let proven = match ask(judge.as_ref(), &case).reply {
         Reply::Observed(observed) => observed,
         Reply::Declined(decline) => bail!("{} declines: {decline}", judge.name()),

@@ -44,8 +44,8 @@ fn what_simulate_prints_is_right_where_it_is_and_wrong_from_where_it_goes_wrong(
     // The same case as a scene; one whose motion ends is more than a case.
     let scene = |name: &str| format!("--scene {}/data/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     assert_eq!(judge(&scene("paper_fig_9"), &list).0, 0);
-    let (status, _, err) = judge(&scene("found/one_sine_pulse"), &list);
-    assert!(status == 2 && err.contains("duration (of the scene)"), "{err}");
+    let (status, _, err) = judge(&scene("found/one_sine_pulse"), "time\n1\n9\n");
+    assert!(status == 2 && err.contains("time = 9") && err.contains("half a period"), "{err}");
 }
 
 #[test]
