@@ -284,6 +284,17 @@ fn what_it_cannot_do_it_declines() {
     assert_eq!(decline(&near).reason(), "not convergent");
     let long = with(case_of([0.4, 2.0, 0.5], Horizon::Until(9.0), 8), 0.1, Normalisation::Threshold);
     assert_eq!(decline(&long).reason(), "unsupported");
+    // An impact at the very end of the time that is followed: whether it is within is not known to the errors that are left.
+    let followed = |end: f64| with(case_of([0.03, 2.0, 0.92], Horizon::Until(end), 100), 0.1, Normalisation::Threshold);
+    let tenth = corrected.history(&followed(1.2)).unwrap().impacts[9];
+    assert!(tenth.uncertainty.time > 0.0 && tenth.time < 1.2);
+    for beside in [-0.9, 0.0, 0.9] {
+        let end = tenth.time + beside * tenth.uncertainty.time;
+        assert_eq!(decline(&followed(end)).reason(), "not convergent", "{beside} of its error from the end");
+    }
+    let away = 2.0 * tenth.uncertainty.time;
+    assert_eq!(corrected.history(&followed(tenth.time - away)).unwrap().impacts.len(), 9);
+    assert_eq!(corrected.history(&followed(tenth.time + away)).unwrap().impacts.len(), 10);
     // The solver with many digits does not know how its impacts move.
     let unknown = Corrected::new(panel::select("printed").unwrap().swap_remove(0));
     assert_eq!(unknown.history(&with(slender, 0.1, Normalisation::Threshold)).unwrap_err().reason(), "unsupported");

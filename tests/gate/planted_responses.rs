@@ -34,8 +34,8 @@ enum Flaw {
     ElasticAfterwards,
     /// Rest is called while the block may still be thrown.
     RestsTooSoon,
-    /// Every flight lasts a billionth too long.
-    Late,
+    /// Every flight lasts too long, by this share.
+    Late(f64),
 }
 
 struct MistakenFlights {
@@ -82,8 +82,8 @@ impl FlightSolver for MistakenFlights {
             (Flaw::ElasticAfterwards, Arrival::Impact { interval, speed }) if departure.ground == Ground::Still => {
                 Arrival::Impact { interval, speed: speed / self.eta }
             }
-            (Flaw::Late, Arrival::Impact { interval, speed }) => {
-                Arrival::Impact { interval: interval * (1.0 + 1e-9), speed }
+            (Flaw::Late(share), Arrival::Impact { interval, speed }) => {
+                Arrival::Impact { interval: interval * (1.0 + share), speed }
             }
             _ => arrival,
         }
@@ -186,7 +186,7 @@ fn the_method_without_a_mistake_is_green() {
     assert!(!found(&asked(same), anything));
     let (report, failures) = responses::run(&[&asked(same)], &shakings(), &());
     assert!(report.verdict() == Verdict::Pass && failures.is_empty());
-    let (report, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings(), &());
+    let (report, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &shakings(), &());
     assert!(
         report.verdict() == Verdict::Fail
             && !failures.is_empty()
@@ -222,8 +222,16 @@ fn overturning_that_forgets_the_end_of_the_shaking_is_found() {
 fn mistakes_of_flights_are_found() {
     assert!(found(&mistaken(Flaw::GoesOn), anything));
     assert!(found(&mistaken(Flaw::ElasticAfterwards), differs(What::ImpactSpeed)));
-    assert!(found(&mistaken(Flaw::Late), differs(What::ImpactTime)));
+    assert!(found(&mistaken(Flaw::Late(1e-9)), differs(What::ImpactTime)));
     assert!(found(&mistaken(Flaw::RestsTooSoon), anything));
+}
+
+/// What is allowed follows from what the two methods are worth, 1e-13 and 2e-12: flights that are off by a few times as much don't pass.
+#[test]
+fn flights_that_are_off_by_a_few_times_what_is_claimed_are_found() {
+    for share in [1e-11, -1e-11] {
+        assert!(found(&mistaken(Flaw::Late(share)), differs(What::ImpactTime)), "{share}");
+    }
 }
 
 #[test]
@@ -252,6 +260,13 @@ fn mistakes_of_the_loop_of_events_are_found() {
     // The sign of every lobe but the first.
     let sides = spoilt(|whole, _| whole.bouts.iter_mut().skip(1).for_each(|bout| bout.side = -bout.side));
     assert!(found(&sides, differs(What::Side)));
+    // However late: only the last bout of five and more.
+    let last = spoilt(|whole, _| {
+        if let Some(bout) = whole.bouts.get_mut(4..).and_then(<[_]>::last_mut) {
+            bout.side = -bout.side;
+        }
+    });
+    assert!(found(&last, differs(What::Side)));
     // A rest that lasts for a bout too long: the bout is gone.
     let slept = spoilt(|whole, _| {
         if whole.bouts.len() > 2 {
@@ -405,7 +420,7 @@ fn a_wrong_response_is_in_every_report() {
     assert!(green().passes());
     let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], &());
     assert!(green().with_responses(Some(all_well)).passes());
-    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late)], &shakings()[..20], &());
+    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &shakings()[..20], &());
     let names: Vec<&str> = failures.iter().map(|failure| failure.name.as_str()).collect();
     let report = green().with_responses(Some(wrong));
     assert!(!report.passes() && !names.is_empty());

@@ -56,6 +56,35 @@ fn every_command_tells_the_same_of_a_pulse() {
     );
 }
 
+/// A motion that is above the threshold at its start sets the block off at once, in the middle of a lobe: times count from there, and what is claimed is
+/// claimed for this motion, not for the one that starts at the threshold.
+#[test]
+fn every_command_tells_the_same_of_a_motion_that_starts_above_the_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let text = "[block]\nradius = 2\nslenderness = 0.2\nrestitution = 0.9\n[ground]\namplitude = { over-threshold = 1.04 }\n\
+                frequency = { omega = 2 }\nphase = 1.45\nduration = { cycles = 1 }\n[ask]\nmodel = \"linear\"\ntolerance = 1e-9\n\
+                what = [\"chattering-time\", \"rest-periods\"]\n";
+    std::fs::write(&path, text).unwrap();
+    let file = path.to_str().unwrap();
+    let scene = json(&["scene", file]);
+    let time = &scene["chattering_time"];
+    let (seconds, tau) = (time["seconds"].as_f64().unwrap(), time["tau_ch"].as_f64().unwrap());
+    assert_eq!((scene["initiation"].as_f64(), time["complete"].as_bool()), (Some(0.0), Some(true)));
+    assert_relative_eq!(scene["rest_periods"][0][0].as_f64().unwrap(), seconds, max_relative = 1e-15);
+    let bout = &json(&["response", file, "--model", "linear"])["bouts"][0];
+    assert_eq!((bout["from"].as_f64(), bout["to"].as_f64()), (Some(0.0), Some(tau)));
+    let claimed = bout["uncertainty"].as_f64().unwrap() / tau;
+    assert_relative_eq!(time["relative_uncertainty"].as_f64().unwrap(), claimed, max_relative = 1e-12);
+    for oracle in ["closed-form", "ode", "auto"] {
+        let answer = json(&["chattering-time", "--scene", file, "--oracle", oracle]);
+        assert_relative_eq!(answer["tau_ch"].as_f64().unwrap(), tau, max_relative = 1e-8);
+        assert_relative_eq!(answer["seconds"].as_f64().unwrap(), seconds, max_relative = 1e-8);
+        let half_period = std::f64::consts::PI / 2.0;
+        assert_relative_eq!(answer["half_period_fraction"].as_f64().unwrap(), tau / half_period, max_relative = 1e-8);
+    }
+}
+
 /// An oracle that only knows cases says so.
 #[test]
 fn an_oracle_that_cannot_follow_a_scene_refuses_it() {

@@ -5,7 +5,7 @@ use chattercheck::{
     measure::{asking::ask, critical},
     motion::linearisation::{Flights, Linearisation},
     panel,
-    plan::{Conclusion, Found, Place, Plan, Way, evidence, step},
+    plan::{Conclusion, Found, Place, Plan, Question, Way, evidence, step},
 };
 use contract::{Arrival, Case, Departure, Ending, FlightSolver, Ground, Model, Normalisation, Slenderness};
 use proptest::{
@@ -90,6 +90,56 @@ fn what_the_corrected_flights_leave_is_less_than_predicted() {
         "{} ratios from {least}, {median}",
         ratios.len()
     );
+}
+
+/// What the rounding of the amplitude does to the chattering time is in what is claimed for it, more so towards `a_cr`.
+#[test]
+fn what_rounding_the_amplitude_does_is_claimed() {
+    let rounding = 1e-7;
+    for (alpha, method) in [(0.0, Way::Linear), (0.3, Way::Nonlinear)] {
+        for share in [0.1, 0.9, 0.99] {
+            let of = |moved: f64| {
+                let epsilon = moved * share * critical::interpolated(2.0, 0.9).unwrap();
+                if alpha > 0.0 {
+                    case(epsilon, 2.0, 0.9, alpha)
+                } else {
+                    Case::from_epsilon(epsilon, 2.0, 0.9).unwrap()
+                }
+            };
+            // No more accurate than the amplitude is, so that what the method itself leaves is less.
+            let tolerance = 1.2 * Place::of(&of(1.0)).unwrap().conditioning(rounding);
+            let rounded = Plan::new(Question { rounding, ..Question::new(of(1.0), tolerance) }).answer();
+            assert_eq!(rounded.method(), Some(method));
+            let claimed = rounded.chattering_time().unwrap().uncertainty;
+            let [here, there] = [1.0, 1.0 + rounding]
+                .map(|moved| Plan::new(Question::new(of(moved), 1e-12)).answer().chattering_time().unwrap().value);
+            let change = (there - here).abs();
+            assert!(claimed >= change && claimed < 10.0 * change, "{alpha} {share}: {claimed:e}, moved by {change:e}");
+        }
+    }
+}
+
+/// Where the chattering of the block as it is stops being complete, the linear model is not trusted to say whether it is.
+#[test]
+fn the_critical_amplitude_of_the_block_as_it_is_is_near() {
+    let taylor = panel::stepper_of(Model::Nonlinear);
+    for (omega, eta, alpha) in
+        [(0.5, 0.9, 0.2), (2.0, 0.5, 0.2), (2.0, 0.9, 0.3), (1.0, 0.95, 0.3), (4.0, 0.8, 0.4), (8.0, 0.97, 0.3)]
+    {
+        let rests = |epsilon: f64| {
+            let case = case(epsilon, omega, eta, alpha).with_max_impacts(2000).unwrap();
+            taylor.history(&case).unwrap().ending == Ending::AtRest
+        };
+        let linear = critical::interpolated(omega, eta).unwrap();
+        let (mut low, mut high) = (0.8 * linear, 1.2 * linear);
+        assert!(rests(low) && !rests(high));
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            if rests(middle) { low = middle } else { high = middle }
+        }
+        let place = Place::of(&case(low, omega, eta, alpha)).unwrap();
+        assert!(place.is_near(alpha), "{omega} {eta} {alpha}: {place:?}");
+    }
 }
 
 /// The curvature of the response near `a_cr` is not in what the corrected flights leave, but in what a derivative along the linear solution does.

@@ -59,6 +59,15 @@ fn every_way_to_say_it_means_the_same() {
             assert_relative_eq!(one.omega(), other.omega(), max_relative = 1e-14);
         }
     }
+    // In another field of gravity `g` is that one.
+    let moon = |amplitude: String| {
+        let block = by_radius.replace("restitution", "gravity = 1.62\nrestitution");
+        scene(&format!("{block}[ground]\namplitude = {amplitude}\nfrequency = {{ hz = 1.5 }}\n")).case().unwrap()
+    };
+    let threshold = 1.62 * alpha.tan();
+    for amplitude in ["{ g = 0.19 }".to_owned(), format!("{{ m-per-s2 = {:?} }}", 0.19 * 1.62)] {
+        assert_relative_eq!(moon(amplitude).amplitude(), 0.19 * 1.62 / threshold, max_relative = 1e-14);
+    }
     let slender =
         format!("{by_radius}[ground]\namplitude = {{ over-slender-threshold = 1.03 }}\nfrequency = {{ omega = 2 }}\n");
     let slender = scene(&slender).case().unwrap();

@@ -183,3 +183,59 @@ fn bisected(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { high = middle } else { low = middle }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use contract::{Case, Ground};
+
+    use super::*;
+
+    /// A flight along `rotation = top - (s - peak)²`.
+    struct Parabola {
+        top: f64,
+        peak: f64,
+    }
+
+    impl FlightSolver for Parabola {
+        fn fly(&self, _: &Departure, horizon: f64) -> Arrival {
+            let (rotation, velocity) = self.at(horizon);
+            Arrival::Aloft { rotation, velocity }
+        }
+
+        fn motion(&self, _: &Departure, s: f64) -> (f64, f64) {
+            self.at(s)
+        }
+
+        fn rests(&self, _: &Departure) -> bool {
+            false
+        }
+    }
+
+    impl Parabola {
+        fn at(&self, s: f64) -> (f64, f64) {
+            (self.top - (s - self.peak).powi(2), 2.0 * (self.peak - s))
+        }
+    }
+
+    /// A side that is only just reached is reached, wherever that falls between two looks at the flight: at `peak - sqrt(top - level)`.
+    #[test]
+    fn a_side_that_is_touched_between_two_looks_is_not_missed() {
+        let case = Case::from_amplitude(1.5, 1.0, 0.9).unwrap_or_else(|invalid| panic!("{invalid}"));
+        let level = 2.0;
+        for (peak, over, touches) in
+            [(0.349, 1e-6, true), (0.351, 1e-6, true), (0.4, 1e-8, true), (0.45, 1e-4, true), (0.37, -1e-9, false)]
+        {
+            let flight = Parabola { top: level + over, peak };
+            let (rotation, velocity) = flight.at(0.0);
+            let departure = Departure { ground: Ground::Shaking, time: 0.0, side: 1.0, rotation, velocity };
+            let flown = Flight { start: 0.0, duration: 1.0, end: 1.0, departure, arrival: flight.fly(&departure, 1.0) };
+            let at = Fall::new(&flight, &case, Some(level)).reaches(&flown, level);
+            let expected = touches.then(|| peak - over.sqrt());
+            let right = match (at, expected) {
+                (Some(at), Some(expected)) => (at - expected).abs() < 1e-7,
+                (at, expected) => at == expected,
+            };
+            assert!(right, "{at:?}, expected {expected:?}");
+        }
+    }
+}

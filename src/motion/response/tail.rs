@@ -92,3 +92,45 @@ fn within(sum: Estimate, now: f64, latest: f64) -> Estimate {
     let value = if sum.value > latest { latest } else { now };
     Estimate { value, uncertainty: sum.uncertainty.max(latest - now) }
 }
+
+#[cfg(test)]
+mod tests {
+    use contract::Arrival;
+
+    use super::*;
+
+    /// A solver that knows when free rocking ends, 2 after any impact, to a thousandth.
+    struct Knows;
+
+    impl FlightSolver for Knows {
+        fn fly(&self, _: &Departure, _: f64) -> Arrival {
+            Arrival::Lost(contract::Loss::Stalled)
+        }
+
+        fn motion(&self, _: &Departure, _: f64) -> (f64, f64) {
+            (0.0, 0.0)
+        }
+
+        fn rests(&self, _: &Departure) -> bool {
+            true
+        }
+
+        fn time_to_rest(&self, _: &Departure) -> Option<Estimate> {
+            Some(Estimate { value: 2.0, uncertainty: 1e-3 })
+        }
+    }
+
+    /// What the solver claims for its sum is claimed for the end of the bout, from the first impact that it is certain of, and no less later on.
+    #[test]
+    fn the_sum_of_free_rocking_keeps_its_claim() {
+        let departure = Departure { ground: Ground::Still, time: 0.0, side: 1.0, rotation: 0.0, velocity: 1e-3 };
+        let mut tail = Tail::default();
+        assert_eq!(
+            tail.rest(&Knows, (&departure, 1.0, 3.0), 0.9, f64::INFINITY),
+            None,
+            "impacts are followed until nothing is left to be seen"
+        );
+        let rest = tail.rest(&Knows, (&departure, 1.0, 5.0), 0.9, f64::INFINITY);
+        assert!(rest.is_some_and(|rest| rest.value == 5.0 && (1e-3..1.001e-3).contains(&rest.uncertainty)), "{rest:?}");
+    }
+}
