@@ -84,7 +84,12 @@ pub const SERIES: &str = "asymptotic/paper";
 
 /// What the gate is told of the panel.
 pub fn roles() -> Roles<'static> {
-    Roles { series: SERIES, may_decline: &may_decline }
+    Roles { series: SERIES, may_decline: &may_decline, granted: &|_| false, shown_by: &shown_by }
+}
+
+/// The command that shows the history of an oracle for a case that is given by flags.
+pub fn shown_by(oracle: &str, flags: &str) -> String {
+    format!("chattercheck simulate {flags} --oracle {oracle}")
 }
 
 /// What is made for every case declines hardly any.

@@ -102,7 +102,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     let proven = match ask(judge.as_ref(), &case).reply {
         Reply::Observed(observed) => observed,
-        Reply::Declined(decline) => bail!("{} declines: {decline}", judge.name()),
+        Reply::Declined(decline) | Reply::Broke(decline) => bail!("{} declines: {decline}", judge.name()),
         Reply::Panicked(message) => bail!("{} broke: {message}", judge.name()),
     };
     let judged = listed::judge(&case, &proven, &list, arguments.tolerance);

@@ -7,6 +7,7 @@ mod chattering_time;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
+mod engine;
 mod estimate;
 mod files;
 mod followed;
@@ -52,6 +53,7 @@ enum Command {
     Verify(verify::Arguments),
     Replay(replay::Arguments),
     Judge(judge::Arguments),
+    Engine(engine::Arguments),
     Simulate(simulate::Arguments),
     ChatteringTime(chattering_time::Arguments),
     CriticalAmplitude(critical_amplitude::Arguments),
@@ -111,6 +113,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),
+        Command::Engine(arguments) => engine::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::ChatteringTime(arguments) => chattering_time::run(&arguments),
         Command::CriticalAmplitude(arguments) => critical_amplitude::run(&arguments),

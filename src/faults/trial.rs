@@ -184,6 +184,7 @@ impl Seen<'_> {
         let finding = self.examination.findings().into_iter().next()?;
         let (other, by) = match &finding {
             Finding::Law { breach, .. } => (Some(self.place), format!("law: {}", breach.law.says())),
+            Finding::Broke { breakdown, .. } => (Some(self.place), breakdown.clone()),
             Finding::Pair { oracles: [one, two], disagreement } => {
                 let other = if name(self.place) == Some(one) { two } else { one };
                 let place = self.examination.answers.iter().position(|answer| &answer.oracle == other);

@@ -50,7 +50,8 @@ pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
 /// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
 pub fn examine_and_judge(panel: &[&dyn Oracle], judges: &Judges, case: &Case, asked: bool) -> Examination {
     let mut examination = examine(panel, case);
-    if asked || !examination.findings().is_empty() {
+    let is_wrong = || examination.findings().iter().any(|finding| !finding.is_breakdown());
+    if asked || is_wrong() {
         examination.judgements = judges.judge(case, &examination.answers, |_| true);
     }
     examination
@@ -74,7 +75,7 @@ pub fn examine_answers(
                 let breach = checked.breach.or_else(|| endings::breach(panel, case, &answers, place));
                 Checked { breach, ..checked }
             }
-            Reply::Declined(_) => Checked::default(),
+            Reply::Declined(_) | Reply::Broke(_) => Checked::default(),
             Reply::Panicked(message) => {
                 let how = format!("panicked: {message}");
                 Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ratio: None }
@@ -156,7 +157,12 @@ impl Examination {
             let disagreement = refuted.clone()?;
             Some(Finding::Refuted { oracle: name(*place), judge: judge.clone(), disagreement })
         });
-        laws.chain(refuted).chain(pairs).collect()
+        let broke = self.breakdowns().map(|(oracle, decline)| Finding::Broke {
+            oracle: oracle.to_owned(),
+            breakdown: decline.reason().to_owned(),
+            how: decline.to_string(),
+        });
+        laws.chain(refuted).chain(pairs).chain(broke).collect()
     }
 
     /// The names of the oracles with whose answers the judge found nothing wrong, nor any law.
@@ -187,6 +193,14 @@ impl Examination {
     pub fn declines(&self) -> impl Iterator<Item = (&str, &Decline)> {
         self.answers.iter().filter_map(|answer| match &answer.reply {
             Reply::Declined(decline) => Some((answer.oracle.as_str(), decline)),
+            _ => None,
+        })
+    }
+
+    /// The engines that broke, and how.
+    pub fn breakdowns(&self) -> impl Iterator<Item = (&str, &Decline)> {
+        self.answers.iter().filter_map(|answer| match &answer.reply {
+            Reply::Broke(how) => Some((answer.oracle.as_str(), how)),
             _ => None,
         })
     }

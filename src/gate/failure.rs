@@ -20,8 +20,17 @@ pub struct Failure {
     pub sound: Vec<String>,
     /// Judges that refute oracles which agree among themselves.
     pub suspect_judges: Vec<String>,
-    /// Commands that show it: the histories of those that are wrong or differ, or of one that is wrong and one that is sound.
-    pub see: Vec<String>,
+    /// What shows it: the histories of those that are wrong or differ, or of one that is wrong and one that is sound.
+    pub see: Vec<See>,
+}
+
+/// The history of an oracle, to be looked at.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct See {
+    /// Its name.
+    pub oracle: String,
+    /// The case, as flags of the command line.
+    pub flags: String,
 }
 
 /// What makes failures look alike: who is to blame, as far as the findings of one case can tell.
@@ -31,6 +40,8 @@ pub enum Cause {
     Judge(String),
     /// Oracles that break a law, or are refuted, or are the one that is in every pair that disagrees.
     Oracles(Vec<String>),
+    /// An engine that broke in the way of this name, with nothing else that is wrong.
+    Broken(String, String),
     /// Pairs that disagree, with nothing to tell which of the two is wrong.
     Pairs(Vec<[String; 2]>),
 }
@@ -40,7 +51,7 @@ impl Failure {
     pub fn of(named: &Named, examination: &Examination) -> Option<Self> {
         let findings = examination.findings();
         let (sound, suspect_judges) = (examination.sound(), examination.suspect_judges());
-        let see = commands(&named.case, examination, &findings, &sound);
+        let see = see(&named.case, examination, &findings, &sound);
         (!findings.is_empty()).then(|| Self { named: named.clone(), findings, sound, suspect_judges, see })
     }
 
@@ -56,9 +67,14 @@ impl Cause {
         if let Some(judge) = suspect_judges.first() {
             return Self::Judge(judge.clone());
         }
+        if let Some(Finding::Broke { oracle, breakdown, .. }) = findings.first()
+            && findings.iter().all(Finding::is_breakdown)
+        {
+            return Self::Broken(oracle.clone(), breakdown.clone());
+        }
         let by_itself = |finding: &Finding| match finding {
             Finding::Law { oracle, .. } | Finding::Refuted { oracle, .. } => Some(oracle.clone()),
-            Finding::Pair { .. } => None,
+            Finding::Pair { .. } | Finding::Broke { .. } => None,
         };
         let mut oracles: Vec<String> = findings.iter().filter_map(by_itself).collect();
         if oracles.is_empty() {
@@ -67,7 +83,7 @@ impl Cause {
         if oracles.is_empty() {
             let pair = |finding: &Finding| match finding {
                 Finding::Pair { oracles, .. } => Some(oracles.clone()),
-                Finding::Law { .. } | Finding::Refuted { .. } => None,
+                Finding::Law { .. } | Finding::Refuted { .. } | Finding::Broke { .. } => None,
             };
             return Self::Pairs(findings.iter().filter_map(pair).collect());
         }
@@ -81,6 +97,7 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Judge(judge) => write!(f, "{judge}, the judge, which refutes oracles that agree among themselves"),
+            Self::Broken(oracle, breakdown) => write!(f, "{oracle}, which broke: {breakdown}"),
             Self::Oracles(oracles) => f.write_str(&oracles.join(", ")),
             Self::Pairs(pairs) => {
                 let pairs: Vec<String> = pairs.iter().map(|pair| pair.join(" : ")).collect();
@@ -90,21 +107,21 @@ impl fmt::Display for Cause {
     }
 }
 
-/// The commands that show the histories of two oracles: those first concerned, or the first of them and one that is sound.
-fn commands(case: &Case, examination: &Examination, findings: &[Finding], sound: &[String]) -> Vec<String> {
+/// The histories of two oracles: those first concerned, or the first of them and one that is sound.
+fn see(case: &Case, examination: &Examination, findings: &[Finding], sound: &[String]) -> Vec<See> {
     let mut oracles: Vec<&str> = Vec::new();
     for oracle in findings.iter().flat_map(Finding::oracles).chain(sound.iter().map(String::as_str)) {
         if !oracles.contains(&oracle) {
             oracles.push(oracle);
         }
     }
-    let command = |oracle: &str| {
+    let see = |oracle: &str| {
         let answer = examination.answers.iter().find(|answer| answer.oracle == oracle)?;
         // The linear model has no slenderness, and an option that a method does not use is refused.
         let case = if answer.model == Model::Linear { without_slenderness(case)? } else { *case };
-        Some(format!("chattercheck simulate {} --oracle {oracle}", case_file::flags(&case)))
+        Some(See { oracle: oracle.to_owned(), flags: case_file::flags(&case) })
     };
-    oracles.into_iter().take(2).filter_map(command).collect()
+    oracles.into_iter().take(2).filter_map(see).collect()
 }
 
 fn without_slenderness(case: &Case) -> Option<Case> {

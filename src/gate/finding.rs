@@ -34,6 +34,15 @@ pub enum Finding {
         /// On what; the first of the two values is the judge's.
         disagreement: Disagreement,
     },
+    /// An engine of somebody else broke: it says nothing about the physics.
+    Broke {
+        /// Its name.
+        oracle: String,
+        /// The name of the way in which it broke.
+        breakdown: String,
+        /// What happened, and what to do.
+        how: String,
+    },
 }
 
 impl Finding {
@@ -41,7 +50,7 @@ impl Finding {
     pub fn oracles(&self) -> Vec<&str> {
         match self {
             Self::Pair { oracles, .. } => oracles.iter().map(String::as_str).collect(),
-            Self::Law { oracle, .. } | Self::Refuted { oracle, .. } => vec![oracle],
+            Self::Law { oracle, .. } | Self::Refuted { oracle, .. } | Self::Broke { oracle, .. } => vec![oracle],
         }
     }
 
@@ -50,12 +59,18 @@ impl Finding {
         match self {
             Self::Pair { disagreement, .. } | Self::Refuted { disagreement, .. } => disagreement.figure.impact,
             Self::Law { breach, .. } => breach.impact,
+            Self::Broke { .. } => 0,
         }
     }
 
     /// Whether it is that an oracle breaks this law.
     pub fn breaks(&self, law: Law) -> bool {
         matches!(self, Self::Law { breach, .. } if breach.law == law)
+    }
+
+    /// Whether it is an engine that broke, and nothing that is wrong.
+    pub fn is_breakdown(&self) -> bool {
+        matches!(self, Self::Broke { .. })
     }
 
     /// Whether another finding is of the same oracles and kind, so that a smaller case with it shows the same problem.
@@ -66,6 +81,9 @@ impl Finding {
                 mine == theirs && one.law == two.law
             }
             (Self::Refuted { oracle: mine, .. }, Self::Refuted { oracle: theirs, .. }) => mine == theirs,
+            (Self::Broke { oracle: mine, breakdown: one, .. }, Self::Broke { oracle: theirs, breakdown: two, .. }) => {
+                mine == theirs && one == two
+            }
             _ => false,
         }
     }

@@ -10,6 +10,7 @@ pub mod failure;
 pub mod finding;
 pub mod identity;
 pub mod judge;
+pub mod known;
 pub mod ladder;
 pub mod laws;
 pub mod listed;

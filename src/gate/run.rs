@@ -1,13 +1,22 @@
 //! A verification run: every case through the panel, on all threads, with an outcome that does not depend on how many there were.
 
-use contract::Oracle;
+use std::collections::HashSet;
+
+use contract::{Case, Oracle};
 use rayon::prelude::*;
 
 use crate::{
     cases::generate::{Generator, Named},
     gate::{
-        examine::examine_and_judge, failure::Failure, identity::Identity, judge::Judges, ladder::Descent, pair::Pair,
-        progress::Progress, tally::Tally,
+        examine::examine_and_judge,
+        failure::Failure,
+        identity::Identity,
+        judge::Judges,
+        known::{Known, KnownFailure},
+        ladder::Descent,
+        pair::Pair,
+        progress::Progress,
+        tally::Tally,
     },
 };
 
@@ -55,6 +64,8 @@ pub struct Run {
     pub ladders: Vec<Descent>,
     /// The cases in which something was wrong, in order.
     pub failures: Vec<Failure>,
+    /// Failures of engines that are known, and what became of them.
+    pub known: Vec<KnownFailure>,
     /// Whether the run has to prove something by itself. One without ladders is of a few chosen cases, and has not.
     pub whole: bool,
     /// The names of the cases that were not run because the run was interrupted.
@@ -71,19 +82,23 @@ pub fn run(
     ladders: Option<Vec<Descent>>,
     progress: &impl Progress,
 ) -> Run {
-    let results: Vec<Option<(Tally, Option<Failure>)>> = cases
-        .par_iter()
-        .enumerate()
-        .map(|(place, named)| {
-            if progress.is_interrupted() {
-                return None;
-            }
-            let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
-            let failure = Failure::of(named, &examination);
-            progress.done(failure.is_some());
-            Some((Tally::of(named, &examination), failure))
-        })
-        .collect();
+    let examine = |(place, named): (usize, &Named)| {
+        if progress.is_interrupted() {
+            return None;
+        }
+        let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
+        let failure = Failure::of(named, &examination);
+        progress.done(failure.is_some());
+        Some((Tally::of(named, &examination), failure))
+    };
+    let mut results: Vec<Option<(Tally, Option<Failure>)>> = Vec::with_capacity(cases.len());
+    for (part, next) in cases.chunks(AHEAD).enumerate() {
+        if !progress.is_interrupted() {
+            let next: Vec<Case> = next.iter().map(|named| named.case).collect();
+            panel.par_iter().for_each(|oracle| oracle.prepare(&next));
+        }
+        results.par_extend(next.par_iter().enumerate().map(|(place, named)| examine((part * AHEAD + place, named))));
+    }
     let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
     let mut tally = Tally::expecting(asked);
     let mut failures = Vec::new();
@@ -97,7 +112,32 @@ pub fn run(
     Run { left_out, ..Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures) }
 }
 
+/// How many cases the oracles are told of before they are asked them.
+const AHEAD: usize = 128;
+
 impl Run {
+    /// The run without what is known of it: findings that an entry excuses are none, and it is counted where each entry applies.
+    #[must_use]
+    pub fn excused(mut self, known: &[Known], cases: &[Named]) -> Self {
+        let left_out: HashSet<&String> = self.left_out.iter().collect();
+        let met = |entry: &Known| {
+            let in_regime = cases.iter().filter(|named| entry.regime.has(&named.case));
+            in_regime.filter(|named| !left_out.contains(&named.to_string())).count()
+        };
+        let failed = |entry: &Known, failures: &[Failure]| {
+            let excuses =
+                |failure: &&Failure| failure.findings.iter().any(|finding| entry.excuses(&failure.named.case, finding));
+            failures.iter().filter(excuses).count()
+        };
+        self.known = known.iter().map(|entry| entry.outcome(met(entry), failed(entry, &self.failures))).collect();
+        for failure in &mut self.failures {
+            let case = &failure.named.case;
+            failure.findings.retain(|finding| !known.iter().any(|entry| entry.excuses(case, finding)));
+        }
+        self.failures.retain(|failure| !failure.findings.is_empty());
+        self
+    }
+
     /// A run from what was counted in it.
     pub fn of(
         oracles: Vec<String>,
@@ -119,6 +159,7 @@ impl Run {
             pairs,
             ladders: ladders.unwrap_or_default(),
             failures,
+            known: Vec::new(),
             whole,
             left_out: Vec::new(),
         }

@@ -136,6 +136,15 @@ pub enum Shortfall {
         /// What the entry says.
         divergence: String,
     },
+    /// A known failure of an engine that no longer fails: the entry is out of date, or the gate has stopped looking.
+    NoLongerFails {
+        /// What the entry says.
+        failure: String,
+        /// In how many cases it did not show.
+        met: usize,
+        /// The file and the line of the entry.
+        entry: String,
+    },
     /// Nothing at all was compared, or in name only.
     NothingCompared,
 }
@@ -175,7 +184,9 @@ pub fn shortfalls(run: &Run, roles: &Roles) -> (Vec<Shortfall>, Vec<NotJudged>) 
     let cases = examined.cases;
     if found.enough("that every oracle answers", cases, SEVERAL) {
         let answered = &run.tally.answered;
-        let silent = run.oracles.iter().filter(|oracle| !answered.contains_key(*oracle));
+        // One that broke in every case is told by its cases.
+        let says_nothing = |oracle: &&String| !answered.contains_key(*oracle) && !run.tally.broke.contains_key(*oracle);
+        let silent = run.oracles.iter().filter(says_nothing);
         found.extend(silent.map(|oracle| Shortfall::Silent { oracle: oracle.clone() }));
     }
     if found.enough("how often an oracle declines", cases, MANY) {
@@ -194,10 +205,15 @@ pub fn shortfalls(run: &Run, roles: &Roles) -> (Vec<Shortfall>, Vec<NotJudged>) 
         let fewest = run.pairs.iter().map(|pair| pair.compared).min().unwrap_or(0);
         let used = cases >= MANY && fewest >= MANY;
         found.enough("that the claims are not too wide to find anything", if used { cases } else { fewest }, MANY);
-        found.extend(run.pairs.iter().filter_map(of_pair));
+        found.extend(run.pairs.iter().filter_map(|pair| of_pair(pair, roles)));
     }
     found.extend(of_judge(run));
-    of_calibration(run, &mut found);
+    of_calibration(run, roles, &mut found);
+    found.extend(run.known.iter().filter(|known| known.is_out_of_date).map(|known| Shortfall::NoLongerFails {
+        failure: known.says.clone(),
+        met: known.met,
+        entry: known.entry.clone(),
+    }));
     found.extend(of_ladders(run));
     found.extend(out_of_date(run));
     (found.shortfalls, found.not_judged)
@@ -231,10 +247,11 @@ impl Found {
 }
 
 /// What the comparisons of a pair fail to prove, if anything.
-fn of_pair(pair: &Pair) -> Option<Shortfall> {
+fn of_pair(pair: &Pair, roles: &Roles) -> Option<Shortfall> {
     let oracles = pair.oracles.clone();
     // A share of few cases says little, but for all of them.
     let most = if pair.compared >= MANY { tolerance::VACUOUS.value } else { 1.0 };
+    let is_granted = oracles.iter().any(|oracle| (roles.granted)(oracle));
     let too_many = |vacuous: usize, all: usize| vacuous == all || vacuous as f64 > most * all as f64;
     if pair.impacts == 0 {
         Some(Shortfall::NoImpact { oracles })
@@ -245,7 +262,7 @@ fn of_pair(pair: &Pair) -> Option<Shortfall> {
     } else if too_many(pair.vacuous_times, pair.chattering_times) {
         let (vacuous, compared) = (pair.vacuous_times, pair.chattering_times);
         Some(Shortfall::InNameOnly { oracles, times: true, vacuous, compared })
-    } else if pair.compared >= MANY && pair.disagreements == 0 && pair.used().1 < tolerance::USED.value {
+    } else if pair.compared >= MANY && pair.disagreements == 0 && !is_granted && pair.used().1 < tolerance::USED.value {
         let (observable, share) = pair.used();
         Some(Shortfall::Unused { oracles, observable, share })
     } else if 2 * pair.too_close > pair.compared {
@@ -262,14 +279,14 @@ fn of_judge(run: &Run) -> Option<Shortfall> {
 }
 
 /// What is wrong with the claims as a whole. A claim that is too small is a finding of its case.
-fn of_calibration(run: &Run, found: &mut Found) {
+fn of_calibration(run: &Run, roles: &Roles, found: &mut Found) {
     let judged = run.tally.judged;
     let many = run.tally.to_judge > 0 && found.enough("how the claims compare with the true errors", judged, MANY);
     if !many {
         return;
     }
     let record = found.enough("that the claims are as wide as on record", judged, calibration::CASES_ON_RECORD);
-    for (oracle, claims) in &run.tally.claims {
+    for (oracle, claims) in run.tally.claims.iter().filter(|(oracle, _)| !(roles.granted)(oracle)) {
         for (observable, figure) in claims.figures() {
             let (oracle, median, allowed) = (oracle.clone(), figure.median, tolerance::CALIBRATION.value);
             if figure.numbers < MANY {
@@ -334,6 +351,7 @@ impl Shortfall {
             | Self::Interrupted { .. }
             | Self::Unjudged { .. }
             | Self::NoLongerDiverges { .. }
+            | Self::NoLongerFails { .. }
             | Self::NothingCompared => Vec::new(),
         }
     }
@@ -386,6 +404,9 @@ impl fmt::Display for Shortfall {
             Self::Crooked { descent } => f.write_str(&descent.describe()),
             Self::NoLongerDiverges { divergence } => {
                 write!(f, "a known divergence no longer shows: {divergence} (data/expected.toml)")
+            }
+            Self::NoLongerFails { failure, met, entry } => {
+                write!(f, "a known failure no longer shows in {met} cases: {failure}; delete it: {entry}")
             }
             Self::NothingCompared => f.write_str(
                 "nothing was compared: the oracles declined, or claim so little that nearly anything would have passed",

@@ -38,7 +38,7 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Fin
     let fails = |case: &Case| {
         let examination = match finding {
             Finding::Refuted { .. } => examine_and_judge(&concerned, judges, case, true),
-            Finding::Pair { .. } | Finding::Law { .. } => examine(&concerned, case),
+            Finding::Pair { .. } | Finding::Law { .. } | Finding::Broke { .. } => examine(&concerned, case),
         };
         examination.findings().into_iter().find(|found| found.resembles(finding))
     };

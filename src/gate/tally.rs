@@ -23,6 +23,7 @@ use crate::{
 pub struct Tally {
     pub(super) reach: Reach,
     pub(super) declines: BTreeMap<String, BTreeMap<String, usize>>,
+    pub(super) broke: BTreeMap<String, BTreeMap<String, usize>>,
     pub(super) answered: BTreeMap<String, usize>,
     pub(super) pairs: BTreeMap<(usize, usize), Pair>,
     pub(super) ratio_law: BTreeMap<String, WorstFigure>,
@@ -78,6 +79,9 @@ impl Tally {
         }
         for (oracle, decline) in examination.declines() {
             *tally.declines.entry(oracle.to_owned()).or_default().entry(decline.reason().to_owned()).or_default() += 1;
+        }
+        for (oracle, how) in examination.breakdowns() {
+            *tally.broke.entry(oracle.to_owned()).or_default().entry(how.reason().to_owned()).or_default() += 1;
         }
         for (answer, checked) in examination.answers.iter().zip(&examination.checked) {
             if let Some(figure) = checked.ratio {
@@ -137,6 +141,9 @@ impl Tally {
         add_counts(&mut self.answered, other.answered);
         for (oracle, reasons) in other.declines {
             add_counts(self.declines.entry(oracle).or_default(), reasons);
+        }
+        for (oracle, ways) in other.broke {
+            add_counts(self.broke.entry(oracle).or_default(), ways);
         }
         for (oracle, worst) in other.ratio_law {
             keep_worst(&mut self.ratio_law, oracle, worst);

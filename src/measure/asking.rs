@@ -24,6 +24,8 @@ pub enum Reply {
     Observed(Observed),
     /// That it can't do the case.
     Declined(Decline),
+    /// Nothing: the engine of somebody else behind it broke, in this way. Never a refusal.
+    Broke(Decline),
     /// Nothing: it panicked, with this message. Always a failure.
     Panicked(String),
 }
@@ -32,6 +34,7 @@ pub enum Reply {
 pub fn ask(oracle: &dyn Oracle, case: &Case) -> Answer {
     let reply = match catch_unwind(AssertUnwindSafe(|| oracle.history(case))) {
         Ok(Ok(history)) => Reply::Observed(Observed::new(case, history)),
+        Ok(Err(decline)) if decline.is_breakdown() => Reply::Broke(decline),
         Ok(Err(decline)) => Reply::Declined(decline),
         Err(payload) => {
             let text = payload.downcast_ref::<String>().map(String::as_str);
@@ -47,7 +50,7 @@ impl Answer {
     pub fn into_observed(self) -> Option<Observed> {
         match self.reply {
             Reply::Observed(observed) => Some(observed),
-            Reply::Declined(_) | Reply::Panicked(_) => None,
+            Reply::Declined(_) | Reply::Broke(_) | Reply::Panicked(_) => None,
         }
     }
 

@@ -140,7 +140,7 @@ fn asked(method: Way, question: &Question, errors: &Errors) -> Ran {
     };
     let observed = match ask(oracle.as_ref(), &case).reply {
         Reply::Observed(observed) => observed,
-        Reply::Declined(why) => return Err(why),
+        Reply::Declined(why) | Reply::Broke(why) => return Err(why),
         Reply::Panicked(_) => return Ok((None, 0)),
     };
     let outcome = match observed.history.ending {

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
 mod command_line;
+mod engines;
 mod guide;
 mod hostile;
 mod independence;

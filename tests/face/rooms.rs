@@ -20,6 +20,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("panel", &["gate", "measure", "motion"]),
     // Which method of the panel a scene needs.
     ("plan", &["measure", "motion", "panel"]),
+    // Simulators of somebody else, as oracles beside the panel.
+    ("engines", &["cases", "gate", "measure"]),
     ("responders", &["cases", "gate", "measure", "motion", "panel"]),
     // The gate's own test plants faults in the panel.
     ("faults", &["cases", "gate", "measure", "panel"]),

@@ -113,7 +113,7 @@ fn caught(report: &Report, name: &str, other: &str, observable: Observable, impa
                 && disagreement.observable == observable
                 && disagreement.figure.impact == impact
         }
-        Finding::Law { .. } | Finding::Refuted { .. } => false,
+        Finding::Law { .. } | Finding::Refuted { .. } | Finding::Broke { .. } => false,
     });
     assert!(found, "no {observable} at impact {impact} against {other}: {findings:#?}");
 }

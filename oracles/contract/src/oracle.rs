@@ -20,6 +20,10 @@ pub trait Oracle: Send + Sync {
     /// [`Ending::Lost`](crate::Ending::Lost).
     fn history(&self, case: &Case) -> Result<History, Decline>;
 
+    /// Told which cases are asked next, before they are. An oracle that answers many at once faster than one by one does that here and remembers
+    /// the answers; what it remembered before it may forget. The others have nothing to do.
+    fn prepare(&self, _cases: &[Case]) {}
+
     /// How the impacts of that history answer to small changes of the parameters, impact by impact; `None` from an oracle that does not
     /// know, or declines the case.
     fn sensitivities(&self, _case: &Case) -> Option<Vec<Sensitivity>> {

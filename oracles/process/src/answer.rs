@@ -7,7 +7,7 @@ use contract::{Case, Decline, Estimate, History, Impact, Uncertainty};
 use crate::{
     launch::Tolerance,
     number::Number,
-    reply::{Claim, Claimed, Column, Columns, Refusal, Reply},
+    reply::{Claim, Column, Columns, Errors, Refusal, Reply},
     verdict::{Breakdown, Verdict},
     words,
 };
@@ -23,14 +23,27 @@ const MOST_REASON: usize = 80;
 pub struct Answer {
     /// The history, the refusal, or how it broke.
     pub outcome: Outcome,
-    /// Whether the engine claimed errors in this answer; what it did not claim is the user's tolerance.
-    pub claims: bool,
+    /// What the engine claimed an error for in this answer; for the rest the user's tolerance stands.
+    pub claimed: Claimed,
     /// Whether the intervals are differences of times, and carry the rounding of these.
     pub intervals_from_times: bool,
     /// How long the engine says it took, in nanoseconds.
     pub ns: Option<f64>,
     /// How long it took as seen from outside; in a batch, its share.
     pub elapsed: Duration,
+}
+
+/// What an engine claimed an error for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Claimed {
+    /// The times.
+    pub time: bool,
+    /// The intervals.
+    pub interval: bool,
+    /// The velocities.
+    pub velocity: bool,
+    /// The chattering time.
+    pub tau_ch: bool,
 }
 
 /// The history, the refusal, or the breakdown.
@@ -47,7 +60,7 @@ pub enum Outcome {
 impl Answer {
     /// An answer without a history.
     pub(crate) fn without(outcome: Outcome) -> Self {
-        Self { outcome, claims: false, intervals_from_times: false, ns: None, elapsed: Duration::ZERO }
+        Self { outcome, claimed: Claimed::default(), intervals_from_times: false, ns: None, elapsed: Duration::ZERO }
     }
 
     /// The breakdown, as an answer.
@@ -141,7 +154,6 @@ fn history(columns: Columns, case: &Case, tolerance: &Tolerance, may_claim: bool
             "the answer has a \"claim\", the start said \"claims\": false",
         ));
     }
-    let claims = columns.claim.is_some();
     let claim = columns.claim.unwrap_or_default();
     check_claim(&claim, count)?;
     let intervals = columns.interval.as_ref();
@@ -151,7 +163,12 @@ fn history(columns: Columns, case: &Case, tolerance: &Tolerance, may_claim: bool
         uncertainty: claim.tau_ch.map_or(tolerance.tau_ch, |claimed| claimed.0),
     });
     Ok(Answer {
-        claims,
+        claimed: Claimed {
+            time: claim.time.is_some(),
+            interval: claim.interval.is_some(),
+            velocity: claim.velocity.is_some(),
+            tau_ch: claim.tau_ch.is_some(),
+        },
         intervals_from_times: intervals.is_none() && count > 0,
         ..Answer::without(Outcome::History(History { impacts, ending, chattering_time }))
     })
@@ -193,10 +210,10 @@ fn difference(before: f64, time: f64) -> (f64, f64) {
 }
 
 /// What is claimed of impact `n`.
-fn at(claimed: Option<&Claimed>, n: usize) -> Option<f64> {
+fn at(claimed: Option<&Errors>, n: usize) -> Option<f64> {
     match claimed? {
-        Claimed::Same(value) => Some(*value),
-        Claimed::Each(column) => column.values.get(n).copied(),
+        Errors::Same(value) => Some(*value),
+        Errors::Each(column) => column.values.get(n).copied(),
     }
 }
 
@@ -206,11 +223,11 @@ fn check_claim(claim: &Claim, count: usize) -> Result<(), Breakdown> {
     for (name, claimed) in [("time", &claim.time), ("interval", &claim.interval), ("velocity", &claim.velocity)] {
         let wrong = match claimed {
             None => None,
-            Some(Claimed::Same(value)) => Some(value).filter(|value| !is_error(value)),
-            Some(Claimed::Each(column)) if column.count != count => {
+            Some(Errors::Same(value)) => Some(value).filter(|value| !is_error(value)),
+            Some(Errors::Each(column)) if column.count != count => {
                 return bad(format!("the claim of \"{name}\" has {} numbers for {count} impacts", column.count));
             }
-            Some(Claimed::Each(column)) => column.values.iter().find(|value| !is_error(value)),
+            Some(Errors::Each(column)) => column.values.iter().find(|value| !is_error(value)),
         };
         if let Some(value) = wrong {
             return bad(format!("the claim of \"{name}\" has {value:?}"));

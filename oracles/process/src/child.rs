@@ -111,6 +111,11 @@ impl Child {
         }
     }
 
+    /// Ends its input.
+    pub fn close(&mut self) {
+        self.input = None;
+    }
+
     /// Waits for the next line of at most `limit` bytes, until the deadline.
     pub fn hear(&mut self, limit: usize, deadline: Instant) -> Heard {
         loop {

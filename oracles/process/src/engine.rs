@@ -26,8 +26,10 @@ use crate::{
 pub struct Engine {
     pool: Pool,
     memory: Mutex<HashMap<Key, Answer>>,
-    /// How often processes broke.
+    /// How often processes broke over cases that were asked together. It decides which of them are not asked any more.
     spent: AtomicUsize,
+    /// How often over those that were asked by the way, in no order that is always the same.
+    by_the_way: AtomicUsize,
 }
 
 impl Engine {
@@ -36,7 +38,12 @@ impl Engine {
     /// # Errors
     /// How it broke.
     pub fn start(launch: Launch, sink: Option<Arc<dyn Sink>>) -> Result<Self, Breakdown> {
-        Ok(Self { pool: Pool::start(launch, sink)?, memory: Mutex::new(HashMap::new()), spent: AtomicUsize::new(0) })
+        Ok(Self {
+            pool: Pool::start(launch, sink)?,
+            memory: Mutex::default(),
+            spent: AtomicUsize::new(0),
+            by_the_way: AtomicUsize::new(0),
+        })
     }
 
     /// How it was started.
@@ -79,14 +86,21 @@ impl Engine {
         if let Some(answer) = self.memory().get(&Key::from(case)) {
             return answer.clone();
         }
-        if self.spent.load(Ordering::SeqCst) > self.launch().restarts {
+        let broke = |count: &AtomicUsize| count.load(Ordering::SeqCst) > self.launch().restarts;
+        if broke(&self.spent) || broke(&self.by_the_way) {
             return self.pool.exhausted();
         }
         let Some(mut slot) = self.pool.free() else { return self.pool.exhausted() };
         let told = self.pool.alone(&mut slot, case);
-        self.spent.fetch_add(told.breaks, Ordering::SeqCst);
+        self.by_the_way.fetch_add(told.breaks, Ordering::SeqCst);
         note_again(&mut self.memory(), slot.again.drain(..));
         told.answer
+    }
+
+    /// Asks a case as one of the other model, which the engine does not offer: it should decline. What it answers is not remembered.
+    pub fn answer_to_the_other_model(&self, case: &Case) -> Answer {
+        let Some(mut slot) = self.pool.free() else { return self.pool.exhausted() };
+        self.pool.alone_as(&mut slot, case, other(self.launch().model)).answer
     }
 
     /// Drops what is remembered.
@@ -96,7 +110,7 @@ impl Engine {
 
     /// How often processes of it broke so far.
     pub fn breaks(&self) -> usize {
-        self.spent.load(Ordering::SeqCst)
+        self.spent.load(Ordering::SeqCst) + self.by_the_way.load(Ordering::SeqCst)
     }
 
     /// The end of the error output, at most 64 KiB, of each process that wrote some.
@@ -136,6 +150,13 @@ fn note_again(memory: &mut HashMap<Key, Answer>, again: impl Iterator<Item = Cas
     }
 }
 
+fn other(model: Model) -> Model {
+    match model {
+        Model::Linear => Model::Nonlinear,
+        Model::Nonlinear => Model::Linear,
+    }
+}
+
 impl Drop for Engine {
     fn drop(&mut self) {
         self.stop_all();
@@ -153,5 +174,10 @@ impl Oracle for Engine {
 
     fn history(&self, case: &Case) -> Result<History, Decline> {
         self.answer(case).told()
+    }
+
+    fn prepare(&self, cases: &[Case]) {
+        self.forget();
+        self.ask_all(cases);
     }
 }

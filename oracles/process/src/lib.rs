@@ -52,12 +52,14 @@ mod sample;
 mod tail;
 mod talk;
 mod verdict;
+mod version;
 mod welcome;
 mod words;
 
-pub use answer::{Answer, Outcome};
+pub use answer::{Answer, Claimed, Outcome};
 pub use engine::Engine;
 pub use launch::{Launch, Tolerance};
 pub use record::{Direction, Line, Sink};
 pub use verdict::{Breakdown, Verdict};
+pub use version::version;
 pub use welcome::Welcome;

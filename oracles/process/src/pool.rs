@@ -5,7 +5,7 @@ use std::sync::{
     atomic::{AtomicUsize, Ordering},
 };
 
-use contract::Case;
+use contract::{Case, Model};
 
 use crate::{
     answer::{Answer, Outcome},
@@ -95,18 +95,23 @@ impl Pool {
 
     /// Asks one case alone; once more of a new process if what broke may be chance.
     pub fn alone(&self, slot: &mut Slot, case: &Case) -> Told {
-        let first = self.once(slot, case);
+        self.alone_as(slot, case, self.launch.model)
+    }
+
+    /// The same, as a case of this model.
+    pub fn alone_as(&self, slot: &mut Slot, case: &Case, model: Model) -> Told {
+        let first = self.once(slot, case, model);
         match first.answer.breakdown() {
             Some(broke) if broke.verdict.may_be_chance() => {
-                let second = self.once(slot, case);
+                let second = self.once(slot, case, model);
                 Told { answer: second.answer, breaks: first.breaks + second.breaks }
             }
             _ => first,
         }
     }
 
-    fn once(&self, slot: &mut Slot, case: &Case) -> Told {
-        let mut replies = self.ask(slot, std::slice::from_ref(case));
+    fn once(&self, slot: &mut Slot, case: &Case, model: Model) -> Told {
+        let mut replies = self.ask(slot, std::slice::from_ref(case), model);
         match (replies.answers.pop().flatten(), replies.broke) {
             (_, Some(broke)) => Told { answer: Answer::without(Outcome::Broke(broke)), breaks: 1 },
             (Some(answer), None) => Told { answer, breaks: 0 },
@@ -119,7 +124,8 @@ impl Pool {
         if let [only] = cases {
             return vec![self.alone(slot, only)];
         }
-        let replies = self.ask(slot, cases);
+        let model = self.launch.model;
+        let replies = self.ask(slot, cases, model);
         let mut breaks = usize::from(replies.broke.is_some());
         let mut spent = breaks;
         let mut told = Vec::with_capacity(cases.len());
@@ -129,7 +135,7 @@ impl Pool {
                 None if spent > allowed => Told { answer: self.exhausted(), breaks: 0 },
                 None => {
                     // What broke the batch counts for the first that it left without an answer.
-                    let mut alone = self.once(slot, case);
+                    let mut alone = self.once(slot, case, model);
                     spent += alone.breaks;
                     alone.breaks += std::mem::take(&mut breaks);
                     alone
@@ -140,7 +146,7 @@ impl Pool {
     }
 
     /// Asks the process of this place, a new one if the last one broke.
-    fn ask(&self, slot: &mut Slot, cases: &[Case]) -> Replies {
+    fn ask(&self, slot: &mut Slot, cases: &[Case], model: Model) -> Replies {
         let broken =
             |broke| Replies { answers: cases.iter().map(|_| None).collect(), again: Vec::new(), broke: Some(broke) };
         let mut talk = match slot.talk.take() {
@@ -150,7 +156,7 @@ impl Pool {
                 Err(broke) => return broken(broke),
             },
         };
-        let replies = talk.ask(cases);
+        let replies = talk.ask(cases, model);
         slot.again.extend(&replies.again);
         if replies.broke.is_some() {
             slot.stderr = talk.stderr();
@@ -178,9 +184,9 @@ impl Pool {
 
 impl Slot {
     /// Asks the last case that was answered again, only to hear what comes before the answer. The answer is not used.
-    pub fn hear_the_rest(&mut self, last: &Case) {
+    pub fn hear_the_rest(&mut self, last: &Case, model: Model) {
         let Some(mut talk) = self.talk.take() else { return };
-        let replies = talk.ask(std::slice::from_ref(last));
+        let replies = talk.ask(std::slice::from_ref(last), model);
         self.again.extend(&replies.again);
         if replies.broke.is_none() {
             self.talk = Some(talk);

@@ -84,11 +84,11 @@ object! {
     /// The errors that an engine claims.
     Claim {
         /// Of the times, absolute.
-        time: Claimed,
+        time: Errors,
         /// Of the intervals, relative.
-        interval: Claimed,
+        interval: Errors,
         /// Of the velocities, relative.
-        velocity: Claimed,
+        velocity: Errors,
         /// Of the chattering time, absolute.
         tau_ch: Number,
     }
@@ -123,7 +123,7 @@ pub struct Column {
 
 /// What is claimed of a column: one number for all, or one each.
 #[derive(Debug)]
-pub enum Claimed {
+pub enum Errors {
     /// For all.
     Same(f64),
     /// One each.
@@ -160,36 +160,36 @@ impl<'de> Deserialize<'de> for Column {
 struct NumberOrNumbers;
 
 impl<'de> de::Visitor<'de> for NumberOrNumbers {
-    type Value = Claimed;
+    type Value = Errors;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a number, or a list of numbers")
     }
 
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Claimed, E> {
-        Ok(Claimed::Same(value))
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Errors, E> {
+        Ok(Errors::Same(value))
     }
 
     #[allow(clippy::cast_precision_loss)] // An integer of JSON stands for the nearest double, as a decimal does.
-    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Claimed, E> {
-        Ok(Claimed::Same(value as f64))
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Errors, E> {
+        Ok(Errors::Same(value as f64))
     }
 
     #[allow(clippy::cast_precision_loss)]
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Claimed, E> {
-        Ok(Claimed::Same(value as f64))
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Errors, E> {
+        Ok(Errors::Same(value as f64))
     }
 
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<Claimed, E> {
-        Number::deserialize(de::value::StrDeserializer::new(text)).map(|number| Claimed::Same(number.0))
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Errors, E> {
+        Number::deserialize(de::value::StrDeserializer::new(text)).map(|number| Errors::Same(number.0))
     }
 
-    fn visit_seq<A: de::SeqAccess<'de>>(self, items: A) -> Result<Claimed, A::Error> {
-        Numbers.visit_seq(items).map(Claimed::Each)
+    fn visit_seq<A: de::SeqAccess<'de>>(self, items: A) -> Result<Errors, A::Error> {
+        Numbers.visit_seq(items).map(Errors::Each)
     }
 }
 
-impl<'de> Deserialize<'de> for Claimed {
+impl<'de> Deserialize<'de> for Errors {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(NumberOrNumbers)
     }

@@ -70,7 +70,7 @@ fn work(pool: &Pool, slot: &mut Slot, deal: &Deal<'_>, told: &[Mutex<Vec<Told>>]
         *place.lock().unwrap_or_else(PoisonError::into_inner) = answers;
     }
     if let Some(last) = last {
-        slot.hear_the_rest(&last);
+        slot.hear_the_rest(&last, pool.launch().model);
     }
 }
 

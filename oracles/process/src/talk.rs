@@ -5,7 +5,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use contract::Case;
+use contract::{Case, Model};
 
 use crate::{
     answer::{Answer, Outcome},
@@ -85,11 +85,11 @@ impl Talk {
         self.child.stderr(usize::MAX)
     }
 
-    /// Asks these cases: one, or a batch.
-    pub fn ask(&mut self, cases: &[Case]) -> Replies {
+    /// Asks these cases of this model: one, or a batch.
+    pub fn ask(&mut self, cases: &[Case], model: Model) -> Replies {
         let mut replies = Replies { answers: cases.iter().map(|_| None).collect(), again: Vec::new(), broke: None };
         let began = Instant::now();
-        if let Err(broke) = self.answer_all(cases, &mut replies) {
+        if let Err(broke) = self.answer_all(cases, model, &mut replies) {
             let broke = broke.with_stderr(self.child.stderr(STDERR));
             match replies.answers.as_mut_slice() {
                 // A whole line that can't be understood was the answer; the engine waits for the next question.
@@ -107,9 +107,9 @@ impl Talk {
         replies
     }
 
-    fn answer_all(&mut self, cases: &[Case], replies: &mut Replies) -> Result<(), Breakdown> {
+    fn answer_all(&mut self, cases: &[Case], model: Model, replies: &mut Replies) -> Result<(), Breakdown> {
         let first = self.next;
-        let (model, otherwise) = (self.launch.model, self.launch.normalisation);
+        let otherwise = self.launch.normalisation;
         let asked: Vec<Asked> =
             (first..).zip(cases).map(|(seq, case)| Asked::new(seq, case, model, otherwise)).collect();
         self.next += u64::try_from(cases.len()).unwrap_or(u64::MAX);

@@ -43,6 +43,10 @@ verdicts! {
     NoSuchDirectory: "no such directory", "Check `directory`; it is relative to the file that names the engine";
     /// The system refused to start the program.
     CannotStart: "cannot be started", "Make the file executable (chmod +x), or put the interpreter in front of it in `run`";
+    /// The command that tells its version failed.
+    NoVersion: "no version", "Run the command of `version` by hand; it has to print the version and to end";
+    /// It is another version than the manifest wants.
+    AnotherVersion: "another version", "Install the version that `version` asks for, or change its pattern";
     /// It did not answer the start in time.
     NoAnswerAtStart: "no answer at the start", "The engine has to answer the first line that it reads with one line. Flush standard output after every line; if it only needs longer, raise `start-timeout`";
     /// It ended before it answered the start.

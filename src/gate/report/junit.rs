@@ -21,6 +21,7 @@ pub fn junit(report: &Report, cases: &[Named]) -> Result<String, quick_junit::Se
     for named in cases {
         let name = named.to_string();
         let status = match report.failures.iter().find(|failure| failure.name == name) {
+            Some(failure) if failure.is_breakdown() => unsuccessful(NonSuccessKind::Error, &failure_text(failure)),
             Some(failure) => unsuccessful(NonSuccessKind::Failure, &failure_text(failure)),
             None if left_out.contains(&name) => TestCaseStatus::skipped(),
             None => TestCaseStatus::success(),

@@ -17,6 +17,7 @@ use crate::{
         failure::{Cause, Failure},
         finding::Finding,
         identity::Identity,
+        known::KnownFailure,
         ladder::Descent,
         pair::Pair,
         responses,
@@ -51,6 +52,9 @@ pub struct Report {
     pub reach: Reach,
     /// How often each oracle declined, by reason.
     pub declines: BTreeMap<String, BTreeMap<String, usize>>,
+    /// How often each engine broke, by the way in which it did.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub broke: BTreeMap<String, BTreeMap<String, usize>>,
     /// Every pair of oracles.
     pub pairs: Vec<Pair>,
     /// The interval ratio of each oracle against its law.
@@ -61,6 +65,9 @@ pub struct Report {
     pub ladders: Vec<Descent>,
     /// Known divergences whose regime was met.
     pub known: Vec<Known>,
+    /// Failures of engines that are known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub known_failures: Vec<KnownFailure>,
     /// Cases in which something was wrong.
     pub failures: Vec<FailedCase>,
     /// What is wrong with the run as a whole.
@@ -129,20 +136,23 @@ pub struct FailedCase {
     pub see: Vec<String>,
 }
 
-impl From<&Failure> for FailedCase {
-    fn from(failure: &Failure) -> Self {
+impl FailedCase {
+    fn new(failure: &Failure, roles: &Roles) -> Self {
         Self {
             name: failure.named.to_string(),
             case: CaseFields::from(&failure.named.case),
             findings: failure.findings.clone(),
             sound: failure.sound.clone(),
             suspect_judges: failure.suspect_judges.clone(),
-            see: failure.see.clone(),
+            see: failure.see.iter().map(|see| (roles.shown_by)(&see.oracle, &see.flags)).collect(),
         }
     }
-}
 
-impl FailedCase {
+    /// Whether an engine broke, and nothing else was wrong.
+    pub fn is_breakdown(&self) -> bool {
+        self.findings.iter().all(Finding::is_breakdown)
+    }
+
     /// What this failure is grouped by.
     pub fn cause(&self) -> Cause {
         Cause::of(&self.findings, &self.suspect_judges)
@@ -154,8 +164,12 @@ impl Report {
     pub fn new(run: &Run, roles: &Roles) -> Self {
         let tally = &run.tally;
         let (shortfalls, not_judged) = shortfalls(run, roles);
-        let failures: Vec<FailedCase> = run.failures.iter().map(FailedCase::from).collect();
-        let verdict = Verdict::of(failures.len(), shortfalls.iter().map(Shortfall::verdict));
+        let failures: Vec<FailedCase> = run.failures.iter().map(|failure| FailedCase::new(failure, roles)).collect();
+        // An engine that broke leaves its cases undecided.
+        let broke = failures.iter().filter(|failure| failure.is_breakdown());
+        let wrong = failures.len() - broke.clone().count();
+        let undecided = broke.map(|_| Verdict::Undecided);
+        let verdict = Verdict::of(wrong, shortfalls.iter().map(Shortfall::verdict).chain(undecided));
         let claims = tally.claims.iter().map(|(oracle, claims)| (oracle.clone(), claims.figures())).collect();
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -165,11 +179,13 @@ impl Report {
             left_out: run.left_out.clone(),
             reach: tally.reach.clone(),
             declines: tally.declines.clone(),
+            broke: tally.broke.clone(),
             pairs: run.pairs.clone(),
             ratio_law: tally.ratio_law.clone(),
             judged: Judged { asked: tally.to_judge, cases: tally.judged, claims },
             ladders: run.ladders.clone(),
             known: known(run),
+            known_failures: run.known.clone(),
             failures,
             shortfalls,
             not_judged,

@@ -61,7 +61,12 @@ fn verdict(report: &Report) -> String {
         }
         Verdict::Undecided => {
             let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.tally.responses));
-            format!("interrupted; nothing was wrong in {cases} cases{and}")
+            let broke: Vec<&str> = report.broke.keys().map(String::as_str).collect();
+            let broke = match broke.as_slice() {
+                [] => "interrupted".to_owned(),
+                names => format!("{} broke in {} cases", names.join(" and "), report.failures.len()),
+            };
+            format!("{broke}; nothing was wrong in {cases} cases{and}")
         }
         Verdict::Fail => {
             let failed = format!("{} of {cases} cases failed", report.failures.len());
@@ -157,6 +162,12 @@ fn left_out(report: &Report) -> Vec<String> {
     for (reasons, oracles) in declined {
         add("declined", format!("{}: {reasons}", oracles.join(" and ")));
     }
+    for (oracle, ways) in &report.broke {
+        add("broke", format!("{oracle}: {}", list(ways.iter().map(|(way, count)| format!("{count} {way}")))));
+    }
+    for known in &report.known_failures {
+        add("known", format!("{}: failed in {} of {} cases: {}", known.says, known.failed, known.met, known.reason));
+    }
     let close = report.pairs.iter().map(|pair| pair.too_close).sum::<usize>();
     if close > 0 {
         let pairs = report.pairs.iter().filter(|pair| pair.too_close > 0).count();
@@ -226,6 +237,7 @@ pub fn finding_text(finding: &Finding) -> String {
             let size = size(disagreement.figure, "off by", "claimed");
             format!("{oracle} is WRONG on {}: {answered}, proven {proven} by {judge}{size}", place(disagreement))
         }
+        Finding::Broke { oracle, how, .. } => format!("{oracle} BROKE: {how}"),
         Finding::Law { oracle, breach } => {
             let place = if breach.impact > 0 { format!(" at impact {}", breach.impact) } else { String::new() };
             format!("{oracle} breaks \"{}\"{place}: {}", breach.law.says(), breach.how)

@@ -77,7 +77,8 @@ fn each_shortfall_is_found_where_there_are_cases_enough() {
 /// What the panel says that an oracle may decline is the limit, and of few cases the ten that prove nothing.
 #[test]
 fn an_oracle_may_decline_its_share_and_no_more() {
-    let roles = Roles { series: "none", may_decline: &|oracle| if oracle == "two" { 0.25 } else { 0.0 } };
+    let may_decline = |oracle: &str| if oracle == "two" { 0.25 } else { 0.0 };
+    let roles = Roles { series: "none", may_decline: &may_decline, ..panel::roles() };
     let declining = |oracle: &str, cases: usize, declined: usize| {
         let mut run = run(cases);
         run.tally

@@ -57,6 +57,7 @@ fn run(oracle: &dyn Oracle, case: &Case) -> Run {
     let observed = match ask(oracle, case).reply {
         Reply::Observed(observed) => observed,
         Reply::Declined(_) => return nothing("declines".to_owned()),
+        Reply::Broke(how) => return nothing(how.to_string()),
         Reply::Panicked(message) => return nothing(format!("panics: {message}")),
     };
     let impacts: Vec<Landing> = observed.history.impacts.iter().map(Landing::from).collect();

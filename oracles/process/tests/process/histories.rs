@@ -1,7 +1,7 @@
 //! Answers become histories, and wrong numbers stay what they are.
 
 use contract::{Case, Decline, Ending, Estimate, Limit, Model, Normalisation, Oracle, Slenderness};
-use process::{Engine, Outcome, Tolerance};
+use process::{Claimed, Engine, Outcome, Tolerance};
 
 use crate::common::{case, engine, launch};
 
@@ -29,7 +29,7 @@ fn a_history_arrives_bit_for_bit() {
             let granted = impact.uncertainty;
             assert_eq!([granted.time, granted.interval, granted.velocity], [1e-9, 1e-8, 1e-7]);
         }
-        assert_eq!((answer.claims, answer.intervals_from_times, answer.ns), (false, false, Some(1500.0)));
+        assert_eq!((answer.claimed, answer.intervals_from_times, answer.ns), (Claimed::default(), false, Some(1500.0)));
     }
 }
 
@@ -37,7 +37,7 @@ fn a_history_arrives_bit_for_bit() {
 fn a_claim_stands_before_the_tolerance() {
     let answer = tolerant("claims").answer(&case(0.9));
     let history = answer.told().unwrap();
-    assert!(answer.claims);
+    assert_eq!(answer.claimed, Claimed { time: true, interval: true, velocity: false, tau_ch: true });
     assert_eq!(history.chattering_time, Some(Estimate { value: 2.5, uncertainty: 1e-8 }));
     for impact in &history.impacts {
         let claimed = impact.uncertainty;
@@ -94,4 +94,13 @@ fn what_is_not_offered_is_not_asked() {
     engine.ask_all(&[slender]);
     assert!(matches!(engine.answer(&slender).outcome, Outcome::Declined(_)));
     assert_eq!(engine.breaks(), 0);
+}
+
+/// An engine should look at which model it is asked; whoever does is asked what it does not offer, and declines.
+#[test]
+fn the_other_model_can_be_asked() {
+    let decline = engine("declines").answer_to_the_other_model(&case(0.9)).told().unwrap_err();
+    assert!(!decline.is_breakdown());
+    // This one answers whatever it is asked.
+    assert!(engine("well").answer_to_the_other_model(&case(0.9)).told().is_ok());
 }

@@ -11,3 +11,4 @@ mod leaving;
 mod messages;
 mod record;
 mod schema;
+mod version;

@@ -1,0 +1,188 @@
+//! Engines of others: the starters work as they stand, what is wrong with an engine is said in words, and both sides of a talk are shown.
+
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Stdio},
+};
+
+use chattercheck::engines::starter;
+
+fn chattercheck(folder: &Path, arguments: &str) -> (i32, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_chattercheck"));
+    let output = command.args(arguments.split_whitespace()).current_dir(folder).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+/// Whether this machine has a program.
+fn has(program: &str) -> bool {
+    let mut command = Command::new(program);
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Writes a starter and builds it, if the machine can; whether it could.
+fn begin(language: &str, folder: &Path) -> bool {
+    let starter = starter::Starter::named(language).unwrap();
+    let (program, _) = starter.build.map_or(("", ""), |build| build.split_once(' ').unwrap());
+    let needs = match language {
+        "octave" => "octave-cli",
+        "python" => "python3",
+        "julia" => "julia",
+        _ => program,
+    };
+    if !has(needs) {
+        println!("NOT TRIED: this machine has no {needs}: the {language} starter");
+        return false;
+    }
+    let (status, out, err) = chattercheck(folder, &format!("engine new {language} {language}"));
+    assert_eq!((status, err.as_str()), (0, ""), "{out}");
+    if let Some(build) = starter.build {
+        assert!(out.contains(&format!("build it: (cd {language} && {build})")), "{out}");
+        let built = Command::new("sh").args(["-c", build]).current_dir(folder.join(language)).status().unwrap();
+        assert!(built.success(), "{build}");
+    }
+    true
+}
+
+/// Every starter whose language the machine has is ready as it stands, and right to ten digits and more.
+#[test]
+fn the_starters_are_ready() {
+    let folder = tempfile::tempdir().unwrap();
+    for starter in starter::ALL {
+        let language = starter.language;
+        if !begin(language, folder.path()) {
+            // At least a compiler for Rust is there.
+            assert_ne!(language, "rust");
+            continue;
+        }
+        let (status, out, err) = chattercheck(folder.path(), &format!("engine check {language}/engines.toml"));
+        assert_eq!((status, err.as_str()), (0, ""), "{out}");
+        assert_eq!(out.lines().filter(|line| line.starts_with("  ok ")).count(), 10, "{out}");
+        for right in out.lines().filter_map(|line| line.split_once("right to ")) {
+            let digits: u32 = right.1.split(' ').next().unwrap().parse().unwrap();
+            assert!(digits >= 10, "{language}: {out}");
+        }
+        assert!(out.contains("12 impacts, at rest") && out.contains("9 impacts, incomplete"), "{out}");
+        assert!(out.contains("0 impacts, never rocks") && out.contains("declines a nonlinear case"), "{out}");
+    }
+}
+
+#[test]
+fn nothing_is_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("mine")).unwrap();
+    fs::write(folder.path().join("mine/engine.py"), "my work").unwrap();
+    let (status, _, err) = chattercheck(folder.path(), "engine new python mine");
+    assert_eq!(status, 2);
+    assert!(err.contains("mine/engine.py is there already"), "{err}");
+    assert_eq!(fs::read_to_string(folder.path().join("mine/engine.py")).unwrap(), "my work");
+    assert!(!folder.path().join("mine/engines.toml").exists());
+    let (status, _, err) = chattercheck(folder.path(), "engine new perl mine");
+    assert_eq!(status, 2);
+    assert!(err.contains("language = perl") && err.contains("python, c, cpp, julia, octave, rust"), "{err}");
+}
+
+/// An engine of shell lines, and its manifest.
+fn shell(folder: &Path, script: &str, more: &str) {
+    fs::write(folder.join("engine.sh"), script).unwrap();
+    let manifest = format!("[[engine]]\nname = \"mine\"\nrun = [\"sh\", \"engine.sh\"]\nmodel = \"linear\"\n{more}");
+    fs::write(folder.join("engines.toml"), manifest).unwrap();
+}
+
+/// Answers the start well, and every case as said.
+fn answering(reply: &str) -> String {
+    let welcome = r#"{"version":1,"engine":{"name":"mine","version":"1"},"models":["linear"],"normalisations":["threshold"],"ground":["sine"],"echo":[0.1,5e-324,1.7976931348623157e308,-0.0]}"#;
+    format!(
+        "while read -r line; do seq=${{line#*\\\"seq\\\":}}; seq=${{seq%%,*}}; case $line in *start*versions*) echo '{welcome}';; *stop*) exit;; *) echo \"{{\\\"seq\\\":$seq,{}}}\";; esac; done",
+        reply.replace('"', "\\\"")
+    )
+}
+
+#[test]
+fn what_is_wrong_is_said_in_words() {
+    for (script, more, expected, words) in [
+        (
+            answering(r#""history":{"time":[0.5],"velocity":[0.1],"ending":"at-rest"}"#),
+            "",
+            1,
+            &[
+                "WRONG rest",
+                "mine is WRONG on interval, first at impact 1: 0.5, proven 0.8",
+                "hint  errors",
+                "hint  intervals",
+                "hint  decline",
+            ][..],
+        ),
+        (
+            answering(r#""decline":{"reason":"on holiday"}"#),
+            "",
+            0,
+            &["hint  rest      declines an easy case", "on holiday", "hint  receipt"],
+        ),
+        (
+            "echo cannot find libm.so >&2; exit 3".to_owned(),
+            "",
+            3,
+            &["BROKE start     ended at the start: exit status 3", "        | cannot find libm.so", "next: mend that"],
+        ),
+        (
+            "echo Loading...; sleep 60".to_owned(),
+            "",
+            3,
+            &["garbage on standard output: \"Loading...\". Standard output is for answers only"],
+        ),
+        ("sleep 60".to_owned(), "start-timeout = 0.2\n", 3, &["no answer at the start: nothing in 0.2 s"]),
+        (
+            answering(""),
+            "version = { command = [\"echo\", \"mine 2.0\"], pattern = \"mine 1.*\" }",
+            3,
+            &["another version: \"mine 1.*\" is wanted, echo mine 2.0 prints \"mine 2.0\""],
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        shell(folder.path(), &script, more);
+        let (status, out, err) = chattercheck(folder.path(), "engine check engines.toml");
+        assert_eq!((status, err.as_str()), (expected, ""), "{out}");
+        for word in words {
+            assert!(out.contains(word), "no {word:?} in:\n{out}");
+        }
+    }
+}
+
+#[test]
+fn both_sides_of_the_talk_are_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    shell(folder.path(), &answering(r#""decline":{"reason":"on holiday","why":"until Monday"}"#), "");
+    let ask = |flags: &str| chattercheck(folder.path(), &format!("engine ask mine {flags}"));
+    let (status, out, _) = ask("--a 1.03 --omega 2 --eta 0.92 --impacts 7");
+    assert_eq!(status, 0);
+    let lines: Vec<&str> = out.lines().collect();
+    let starts = [
+        "> {\"cmd\":\"start\",",
+        "< {\"version\":1,",
+        "> {\"cmd\":\"case\",\"seq\":1,\"model\":\"linear\",\"epsilon\":0.03",
+        "< {\"seq\":1,\"decline\":{\"reason\":\"on holiday\",\"why\":\"until Monday\"}}",
+        "> {\"cmd\":\"stop\"}",
+        "mine: declined: on holiday: until Monday",
+    ];
+    assert_eq!(lines.len(), starts.len(), "{out}");
+    assert!(lines.iter().zip(starts).all(|(line, start)| line.starts_with(start)), "{out}");
+    for (flags, words) in [
+        ("--a 1.03 --omega 2 --eta 0.92 --alpha 0.1", "--alpha 0.1: mine does not use it, its model is linear"),
+        ("--a 1.03 --omega 2 --eta 0.92 --model nonlinear", "--model nonlinear: the model of mine is linear"),
+        ("--a 1.03 --omega 2 --eta 0.92 --engines none.toml", "none.toml: cannot be read"),
+    ] {
+        let (status, _, err) = ask(flags);
+        assert_eq!(status, 2, "{flags}");
+        assert!(err.contains(words), "{err}");
+    }
+    let (status, _, err) = chattercheck(folder.path(), "engine ask mien --a 1.03 --omega 2 --eta 0.92");
+    assert_eq!(status, 2);
+    assert!(err.contains("engines.toml: there is no engine \"mien\" in it; there are mine"), "{err}");
+    shell(folder.path(), "exit 7", "");
+    let (status, out, _) = ask("--a 1.03 --omega 2 --eta 0.92");
+    assert_eq!(status, 3);
+    assert!(out.contains("mine: ended at the start: exit status 7"), "{out}");
+}
