@@ -5,9 +5,11 @@
 //! - A fault is planted ([`plant`]) by tampering with what an oracle is asked or what it answers; or, where it sits inside of a method, by
 //!   putting a [`stepper`] (or, for the series, a [`recursion`]) that makes it in the place of the oracle, under its name and with its claims.
 //! - A [`trial`] is the gate of `verify` on a fixed set of cases, with the answers of the honest oracles kept.
+//! - [`explain`] turns them round: which of them would explain what an engine answers.
 //! - The [`floor`] is the smallest size at which the gate is red.
 
 pub mod catalogue;
+pub mod explain;
 pub mod floor;
 pub mod plant;
 pub mod recursion;

@@ -24,7 +24,7 @@ pub enum Plant {
 
 impl Plant {
     /// Whether the honest oracle is asked the very cases that the gate asks.
-    pub(super) fn keeps_the_question(self) -> bool {
+    pub(in crate::faults) fn keeps_the_question(self) -> bool {
         !matches!(self, Self::Question(_))
     }
 }

@@ -35,7 +35,7 @@ impl Key {
 /// An oracle and everything that it has answered.
 pub struct Remembering {
     /// The oracle itself, for questions that are not worth keeping.
-    pub(super) oracle: Box<dyn Oracle>,
+    pub(in crate::faults) oracle: Box<dyn Oracle>,
     answers: Mutex<HashMap<Key, Result<History, Decline>>>,
     sensitivities: Mutex<HashMap<Key, Option<Vec<Sensitivity>>>>,
 }

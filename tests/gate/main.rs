@@ -7,6 +7,7 @@ mod audit_command;
 mod calibration;
 mod conditioning;
 mod detection_floor;
+mod explained;
 mod faults;
 mod judge;
 mod linearisation;

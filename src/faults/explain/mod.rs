@@ -1,0 +1,179 @@
+//! What mistake would explain the answers of an engine: the faults of the catalogue as hypotheses.
+//!
+//! Each is planted in an honest oracle, its size is fitted to what the engine answered, and it explains a case if with it the deviation falls to a thousandth
+//! of what it was, or the ending, the count and the sides now match. A fault that would spoil what the engine has right is none.
+
+mod deviation;
+mod fit;
+mod hypothesis;
+
+use std::fmt;
+
+use contract::{Case, History, Model};
+use rayon::prelude::*;
+
+use super::Size;
+use deviation::deviation;
+use hypothesis::Hypothesis;
+
+/// What an engine answered to a case.
+#[derive(Debug, Clone)]
+pub struct Sample {
+    /// The case.
+    pub case: Case,
+    /// The answer; `None` if it declined.
+    pub answer: Option<History>,
+    /// Whether something is wrong with it.
+    pub is_wrong: bool,
+}
+
+/// A mistake that explains what is wrong.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Explanation {
+    /// The name of the fault.
+    pub fault: &'static str,
+    /// What goes wrong in a simulator that has it, in a sentence.
+    pub what: &'static str,
+    /// What the size of the fault measures, and the size that fits best; `None` for a fault that is there or not.
+    pub size: Option<(&'static str, f64)>,
+    /// The size that the mistake would have if it were really made, where it has one.
+    pub natural: Option<f64>,
+    /// How many of the wrong cases it explains.
+    pub explained: usize,
+    /// Of how many.
+    pub of: usize,
+    /// The deviation that is left in those, relative: the middle one.
+    pub left: f64,
+    /// How many of the cases that are right it would spoil.
+    pub spoiled: usize,
+}
+
+impl Explanation {
+    /// Whether it explains so much that it can be named without doubt, if nothing else does as well.
+    pub fn is_sure(&self) -> bool {
+        10 * self.explained >= 9 * self.of && self.spoiled == 0
+    }
+
+    /// How far the size that fits is from that of the real mistake, as a factor.
+    fn strangeness(&self) -> f64 {
+        match (self.size, self.natural) {
+            (Some((_, size)), Some(natural)) if size > 0.0 => (size / natural).ln().abs(),
+            (Some(_), Some(_)) => f64::INFINITY,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether two explain equally well.
+    pub fn equals(&self, other: &Self) -> bool {
+        const NOTHING: f64 = 1e-13;
+        let alike = |one: f64, two: f64| one <= 10.0 * two.max(NOTHING);
+        self.explained == other.explained && alike(self.left, other.left) && alike(other.left, self.left)
+    }
+}
+
+/// As many wrong cases are explained, and as many right ones must not be spoiled.
+const WRONG: usize = 16;
+const RIGHT: usize = 12;
+const FEW: usize = 4;
+
+/// The mistakes that explain most of the wrong answers of an engine for this equation, the best first; none if nothing does. Those that explain equally well are all
+/// named, the one whose size is most like that of the real mistake first.
+pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
+    let spread = |wrong: bool, most: usize| -> Vec<&Sample> {
+        let all: Vec<&Sample> = samples.iter().filter(|sample| sample.is_wrong == wrong).collect();
+        let every = all.len().div_ceil(most).max(1);
+        all.into_iter().step_by(every).collect()
+    };
+    let (wrong, right) = (spread(true, WRONG), spread(false, RIGHT));
+    if wrong.is_empty() {
+        return Vec::new();
+    }
+    let hypotheses = hypothesis::all(model);
+    let mut found: Vec<Explanation> =
+        hypotheses.par_iter().filter_map(|hypothesis| judge(hypothesis, &wrong, &right)).collect();
+    found.sort_by(|one, two| {
+        let worth = |of: &Explanation| of.explained as i64 - of.spoiled as i64;
+        worth(two).cmp(&worth(one)).then(one.left.total_cmp(&two.left))
+    });
+    let Some(best) = found.first().cloned() else { return found };
+    found.retain(|explanation| explanation.equals(&best) && explanation.spoiled <= best.spoiled);
+    found.sort_by(|one, two| one.strangeness().total_cmp(&two.strangeness()));
+    found
+}
+
+/// What a hypothesis explains at the size that fits best, if that is most.
+fn judge(hypothesis: &Hypothesis, wrong: &[&Sample], right: &[&Sample]) -> Option<Explanation> {
+    let before: Vec<f64> =
+        wrong.iter().map(|sample| deviation(sample, hypothesis.truth(&sample.case).as_ref())).collect();
+    let scored_on = |size: f64, wrong: &[&Sample]| {
+        let left = wrong.iter().map(|sample| deviation(sample, hypothesis.at(size, &sample.case).as_ref()));
+        let mut left: Vec<f64> =
+            before.iter().zip(left).filter(|(before, left)| explains(**before, *left)).map(|(_, left)| left).collect();
+        left.sort_by(f64::total_cmp);
+        let middle = left.get(left.len() / 2).copied().unwrap_or(f64::INFINITY);
+        (size, left.len(), middle)
+    };
+    let scored = |size: f64| {
+        // Most sizes explain nothing, which a few cases tell.
+        let few = wrong.get(..FEW).unwrap_or(wrong);
+        if scored_on(size, few).1 == 0 { (size, 0, f64::INFINITY) } else { scored_on(size, wrong) }
+    };
+    let better = |one: (f64, usize, f64), two: (f64, usize, f64)| {
+        if two.1 > one.1 || two.1 == one.1 && two.2 < 0.1 * one.2 { two } else { one }
+    };
+    // That of the real mistake comes first: another has to be clearly better.
+    let mut best = fit::candidates(hypothesis, wrong).into_iter().map(scored).reduce(better)?;
+    if 2 * best.1 <= wrong.len() && hypothesis.is_stepwise() {
+        best = fit::scan(hypothesis.natural(), |size| scored(size).1).into_iter().map(scored).fold(best, better);
+    }
+    let (size, explained, left) = best;
+    if 2 * explained <= wrong.len() {
+        return None;
+    }
+    let spoils = |sample: &&&Sample| {
+        let was = deviation(sample, hypothesis.truth(&sample.case).as_ref());
+        spoils(was, deviation(sample, hypothesis.at(size, &sample.case).as_ref()))
+    };
+    let fault = &hypothesis.fault;
+    let (meaning, natural) = match fault.size {
+        Size::Amount { meaning, natural } => (Some(meaning), Some(natural)),
+        Size::Depth(_) => (Some("at impact"), None),
+        Size::Whole => (None, None),
+    };
+    Some(Explanation {
+        fault: fault.name,
+        what: fault.what,
+        size: meaning.map(|meaning| (meaning, size)),
+        natural,
+        explained,
+        of: wrong.len(),
+        left,
+        spoiled: right.iter().filter(spoils).count(),
+    })
+}
+
+/// Whether a deviation that was `before` is explained if it is `after` with the fault.
+fn explains(before: f64, after: f64) -> bool {
+    after.is_finite() && (before.is_infinite() || before > 0.0 && after <= 1e-3 * before)
+}
+
+/// Whether a fault spoils a right answer whose deviation was `before`.
+fn spoils(before: f64, after: f64) -> bool {
+    after > 1e3 * before.max(1e-12)
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "as if: {} ({}", self.what, self.fault)?;
+        match (self.size, self.natural) {
+            (Some((meaning, size)), Some(_)) if (1e-3..1e4).contains(&size.abs()) => {
+                write!(f, "; {meaning}: {size:.6}")?
+            }
+            (Some((meaning, size)), Some(_)) => write!(f, "; {meaning}: {size:.6e}")?,
+            (Some((meaning, size)), None) => write!(f, "; {meaning} {size}")?,
+            (None, _) => {}
+        }
+        write!(f, "): explains {} of {} failing cases; what is left is {:.0e}", self.explained, self.of, self.left)?;
+        if self.spoiled > 0 { write!(f, "; but it would spoil {} that are right", self.spoiled) } else { Ok(()) }
+    }
+}
