@@ -205,9 +205,13 @@ mod tests {
 
     #[test]
     fn nonlinear_acceleration_is_eq_2_as_printed() {
-        for (alpha, normalisation) in
-            [(0.2, Normalisation::Threshold), (0.7, Normalisation::Threshold), (0.3, Normalisation::Slender)]
-        {
+        for (alpha, normalisation) in [
+            (0.2, Normalisation::Threshold),
+            (0.7, Normalisation::Threshold),
+            (1.25, Normalisation::Threshold),
+            (1.5, Normalisation::Threshold),
+            (0.3, Normalisation::Slender),
+        ] {
             let motion = motion(&case(1.3, 1.7).with_slenderness(slender(alpha, normalisation)), Equation::Nonlinear);
             let ground = match normalisation {
                 Normalisation::Threshold => 1.3 * alpha.tan(),

@@ -1,7 +1,7 @@
 //! The claims of the series against exact stepping of Eq. 4, over a seeded random sample.
 
 use crate::{effort::pick, exact};
-use asymptotic::Asymptotic;
+use asymptotic::{Asymptotic, Order};
 use contract::{Case, Oracle};
 
 /// Largest and median ratio of error to claim, for one quantity.
@@ -83,6 +83,26 @@ fn check(mut measured: Measured) {
         println!("{name}: error/claim at worst {worst:.3}, in the median {median:.3}, of {}", ratios.0.len());
         assert!(worst < 1.0, "{name}: the claim is smaller than the error, {worst}");
         assert!(median > 0.01, "{name}: the claim is more than 100 times the error in the median, {median}");
+    }
+}
+
+/// At `T/2` the ground begins to push the other way: a chattering time that may lie beyond is none, whatever the order.
+#[test]
+fn no_chattering_time_may_lie_beyond_half_a_period() {
+    let orders = [Order::Paper, Order::Terms(1), Order::Terms(2), Order::Terms(4), Order::Terms(16)];
+    for (omega, eta) in [(0.5, 0.5), (2.0, 0.2), (2.0, 0.92)] {
+        let critical = exact::critical(omega, eta);
+        for order in orders {
+            let oracle = Asymptotic::new().with_order(order).unwrap();
+            for k in 0..=10 {
+                let case = Case::from_epsilon(critical * (0.9 + 0.01 * f64::from(k)), omega, eta).unwrap();
+                let case = case.with_max_impacts(1).unwrap();
+                let Ok(history) = oracle.history(&case) else { continue };
+                let time = history.chattering_time.unwrap();
+                let latest = time.value + time.uncertainty;
+                assert!(latest < std::f64::consts::PI / omega, "{order:?}, {case:?}: {time:?}");
+            }
+        }
     }
 }
 

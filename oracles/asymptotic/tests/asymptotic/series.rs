@@ -41,6 +41,28 @@ fn the_papers_example_comes_to_rest_at_0_70298_of_half_a_period() {
     }
 }
 
+/// To this order a velocity is a number of `η` times `ε^(3/2)/ω` (Eqs 35 and 56), an interval one times `ε^(1/2)/ω` or `ε^(3/2)/ω` (Eqs 31 and 43): four times the `ε`
+/// makes each exactly 8 or 2 times as large, at every impact and for every restitution.
+#[test]
+fn impacts_scale_with_the_distance_to_the_threshold() {
+    for eta in [0.01, 0.1, 0.25, 0.5, 0.9, 0.99] {
+        let of = |epsilon: f64, omega: f64| {
+            let case = Case::from_epsilon(epsilon, omega, eta).and_then(|case| case.with_max_impacts(12)).unwrap();
+            Asymptotic::new().history(&case).unwrap().impacts
+        };
+        let base = of(1e-4, 2.0);
+        for (n, (small, large)) in base.iter().zip(of(4e-4, 2.0)).enumerate() {
+            let power = if n % 2 == 0 { 2.0 } else { 8.0 };
+            assert!((large.interval / small.interval / power - 1.0).abs() < 1e-14, "eta {eta}, impact {}", n + 1);
+            assert!((large.velocity / small.velocity / 8.0 - 1.0).abs() < 1e-14, "eta {eta}, impact {}", n + 1);
+        }
+        for (slow, fast) in base.iter().zip(of(1e-4, 6.0)) {
+            assert!((slow.velocity / fast.velocity / 3.0 - 1.0).abs() < 1e-14, "eta {eta}");
+            assert!((slow.interval / fast.interval / 3.0 - 1.0).abs() < 1e-14, "eta {eta}");
+        }
+    }
+}
+
 /// The formulas against Eq. 4 and not the page: relative errors of every quantity at the first impacts vanish with `ε`, in proportion.
 #[test]
 fn impacts_tend_to_those_of_eq_4() {

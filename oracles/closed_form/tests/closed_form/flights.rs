@@ -106,6 +106,20 @@ proptest! {
     }
 }
 
+/// On still ground a block that leaves its base below the balance, `u' < 1`, comes back as fast as it left, again and again, and rests; at the balance and above
+/// it does not come back.
+#[test]
+fn on_still_ground_what_comes_back_rests() {
+    let flights = ClosedForm.flights(&Case::from_epsilon(0.03, 2.0, 0.9).unwrap()).unwrap();
+    for velocity in [1e-12, 0.5, 0.999, 1.0_f64.next_down(), 1.0, 1.0_f64.next_up(), 1.001, 1.019, 2.0] {
+        let departure = Departure { ground: Ground::Still, time: 0.0, side: 1.0, rotation: 0.0, velocity };
+        let comes_back = matches!(flights.fly(&departure, 1e3), Arrival::Impact { .. });
+        assert_eq!(comes_back, velocity < 1.0, "{velocity}");
+        assert_eq!(flights.rests(&departure), comes_back, "{velocity}");
+        assert_eq!(flights.time_to_rest(&departure).is_some(), comes_back, "{velocity}");
+    }
+}
+
 /// The ground stops after a quarter of a cycle. The block overturns if `u + u' > 1` then, and from no amplitude below: by Eq. 6 and the growing part of free
 /// rocking, that is from a = 1.97010957 on.
 #[test]

@@ -135,3 +135,16 @@ fn intervals_are_resolved_down_to_1e_150_with_the_ratio_eta_squared() {
         assert_relative_eq!(next.interval, 2.0 * last.velocity.abs() / pull, max_relative = 1e-12);
     }
 }
+
+/// Thousands of impacts of rocking that forgets where it began: what the flights leave of errors no longer grows, and a time that is late is still a double.
+#[test]
+fn no_time_is_claimed_to_more_than_its_rounding() {
+    for (epsilon, omega, eta, until) in [(1.0, 200.0, 0.9, 100.0), (0.3, 20.0, 0.9, 30.0), (1.0, 200.0, 0.99, 100.0)] {
+        let case = Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(10_000).unwrap();
+        let history = history(&case.with_horizon(Horizon::Until(until)).unwrap());
+        assert!(history.impacts.len() > 150);
+        for impact in &history.impacts {
+            assert!(impact.uncertainty.time >= 0.5 * f64::EPSILON * impact.time, "{case:?}: {impact:?}");
+        }
+    }
+}

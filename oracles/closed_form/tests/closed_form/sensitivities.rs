@@ -66,6 +66,15 @@ proptest! {
     }
 }
 
+/// A block that loses most of its speed, whose intervals soon are a trillionth of the first.
+#[test]
+fn strongly_damped_chattering() {
+    for (epsilon, omega, eta) in [(0.01, 2.0, 0.45), (0.05, 1.0, 0.3), (0.002, 6.0, 0.1), (0.02, 3.0, 0.02)] {
+        let compared = the_derivatives_are_the_differences([epsilon, omega, eta], Horizon::HalfPeriod, 10);
+        assert!(compared > 60, "eta = {eta}: {compared} of 90");
+    }
+}
+
 /// Flights longer than the series reach at once, which are followed in stretches.
 #[test]
 fn long_flights() {

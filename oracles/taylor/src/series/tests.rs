@@ -67,7 +67,7 @@ fn no_more_terms_are_made_than_tell() {
 fn the_sine_of_a_small_angle_keeps_its_digits() {
     let block = Block::new(0.03, 2.0, 0.9, 0.5);
     let still = Forcing { gravity: 0.0, value: 0.0, slope: 0.0 };
-    for z in [1e-9, 9e-6, 1.1e-5, 1e-3, 0.4f64] {
+    for z in [1e-9, 9e-6, 1.1e-5, 3e-4, 9e-4, 1e-3, 9e-3, 0.4f64] {
         let scale = Scale { time: 0.5, velocity: 2.0 };
         let found = expand(&block, &still, &scale, (z / 0.5, 0.0), all(6)).from(0)[2];
         let expected = 0.5 * 0.25 / 0.5f64.cos() * z.sin() / 0.5;
