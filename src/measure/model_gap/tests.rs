@@ -102,15 +102,23 @@ fn the_time_of_another_stiffness() {
     assert!(matches!(stiffened(stepper().as_ref(), &plain, 0.0), Ok(None)));
     assert!(matches!(stiffened(stepper().as_ref(), &plain, -1.0), Ok(None)));
     assert!(matches!(stiffened(stepper().as_ref(), &plain, 0.01), Ok(Some(_))));
-    let rocking = Case::from_epsilon(0.5, 2.0, 0.8).and_then(|case| case.with_horizon(Horizon::Until(3.0)));
-    let Ok(rocking) = rocking else { panic!("refused") };
-    let Ok(Some(other)) = stiffened(stepper().as_ref(), &rocking, 2.25) else { panic!("declined") };
-    assert_eq!(other.rate, 1.5);
-    // The same case by hand: ω/1.5 to the time 4.5.
-    let scaled = Case::from_epsilon(0.5, 2.0 / 1.5, 0.8).and_then(|case| case.with_horizon(Horizon::Until(4.5)));
-    let expected = observed(&scaled.unwrap_or(plain));
-    assert_eq!(other.observed, expected);
-    assert_ne!(expected.history.ending, Ending::AtRest);
-    assert_eq!(other.at(Observable::ImpactTime, 1), expected.at(Observable::ImpactTime, 1).map(|at| at.value / 1.5));
-    assert_eq!(other.chattering_time(), None);
+    // Slow, as ever, and fast: the frequency scales with the time.
+    for (epsilon, omega) in [(0.01, 0.2), (0.5, 2.0), (0.5, 40.0)] {
+        let rocking = |rate: f64| {
+            let case = Case::from_epsilon(epsilon, omega / rate, 0.8);
+            let case = case.and_then(|case| case.with_horizon(Horizon::Until(rate * 6.0 / omega)));
+            case.unwrap_or_else(|invalid| panic!("{invalid}"))
+        };
+        let Ok(Some(other)) = stiffened(stepper().as_ref(), &rocking(1.0), 2.25) else { panic!("declined") };
+        assert_eq!(other.rate, 1.5);
+        // The same case by hand: ω/1.5 to 1.5 times the time.
+        let expected = observed(&rocking(1.5));
+        assert_eq!(other.observed, expected);
+        assert_ne!(expected.history.ending, Ending::AtRest);
+        assert_eq!(
+            other.at(Observable::ImpactTime, 1),
+            expected.at(Observable::ImpactTime, 1).map(|at| at.value / 1.5)
+        );
+        assert_eq!(other.chattering_time(), None);
+    }
 }
