@@ -23,9 +23,9 @@ use super::effort;
 fn cases() -> Vec<Named> {
     let stepper = panel::stepper();
     let of = |(generator, every): (Generator, usize)| {
-        generator.cases(1, 40, stepper.as_ref()).into_iter().step_by(every).collect::<Vec<_>>()
+        generator.cases(1, 24, stepper.as_ref()).into_iter().step_by(every).collect::<Vec<_>>()
     };
-    [(Generator::Spaced, 8), (Generator::Random, 1), (Generator::Edge, 7)].into_iter().flat_map(of).collect()
+    [(Generator::Spaced, 12), (Generator::Random, 1), (Generator::Edge, 9)].into_iter().flat_map(of).collect()
 }
 
 fn samples(engine: &dyn Oracle, cases: &[Named]) -> Vec<Sample> {
@@ -59,7 +59,7 @@ fn named(fault: &Fault, cases: &[Named]) -> Vec<Explanation> {
 fn the_fault_that_is_planted_is_named() {
     let cases = cases();
     let engines = [("closed-form", Model::Linear), (panel::SERIES, Model::Linear), ("taylor", Model::Nonlinear)];
-    let every = effort::pick("of the faults of the catalogue one in", 6, 1);
+    let every = effort::pick("of the faults of the catalogue one in", 8, 1);
     let faults = catalogue(engines.into_iter()).into_iter().step_by(every);
     let (mut all, mut missed, mut misnamed) = (0, Vec::new(), Vec::new());
     for fault in faults {

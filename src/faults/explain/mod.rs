@@ -13,6 +13,7 @@ use contract::{Case, History, Model};
 use rayon::prelude::*;
 
 use super::Size;
+use crate::panel;
 use deviation::deviation;
 use hypothesis::Hypothesis;
 
@@ -84,7 +85,12 @@ pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
         let every = all.len().div_ceil(most).max(1);
         all.into_iter().step_by(every).collect()
     };
-    let (wrong, right) = (spread(true, WRONG), spread(false, RIGHT));
+    let stepper = panel::stepper_of(model);
+    let with_deviation = |wrong: bool, most: usize| -> Vec<(f64, &Sample)> {
+        let of = |sample| (deviation(sample, stepper.history(&sample.case).ok().as_ref()), sample);
+        spread(wrong, most).into_iter().map(of).collect()
+    };
+    let (wrong, right) = (with_deviation(true, WRONG), with_deviation(false, RIGHT));
     if wrong.is_empty() {
         return Vec::new();
     }
@@ -101,14 +107,12 @@ pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
     found
 }
 
-/// What a hypothesis explains at the size that fits best, if that is most.
-fn judge(hypothesis: &Hypothesis, wrong: &[&Sample], right: &[&Sample]) -> Option<Explanation> {
-    let before: Vec<f64> =
-        wrong.iter().map(|sample| deviation(sample, hypothesis.truth(&sample.case).as_ref())).collect();
-    let scored_on = |size: f64, wrong: &[&Sample]| {
-        let left = wrong.iter().map(|sample| deviation(sample, hypothesis.at(size, &sample.case).as_ref()));
-        let mut left: Vec<f64> =
-            before.iter().zip(left).filter(|(before, left)| explains(**before, *left)).map(|(_, left)| left).collect();
+/// What a hypothesis explains, of samples with their deviations from the truth, at the size that fits best, if that is most.
+fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Sample)]) -> Option<Explanation> {
+    let left_at = |size: f64, sample: &Sample| deviation(sample, hypothesis.at(size, &sample.case).as_ref());
+    let scored_on = |size: f64, wrong: &[(f64, &Sample)]| {
+        let left = wrong.iter().map(|(before, sample)| (*before, left_at(size, sample)));
+        let mut left: Vec<f64> = left.filter(|(before, left)| explains(*before, *left)).map(|(_, left)| left).collect();
         left.sort_by(f64::total_cmp);
         let middle = left.get(left.len() / 2).copied().unwrap_or(f64::INFINITY);
         (size, left.len(), middle)
@@ -122,7 +126,10 @@ fn judge(hypothesis: &Hypothesis, wrong: &[&Sample], right: &[&Sample]) -> Optio
         if two.1 > one.1 || two.1 == one.1 && two.2 < 0.1 * one.2 { two } else { one }
     };
     // That of the real mistake comes first: another has to be clearly better.
-    let mut best = fit::candidates(hypothesis, wrong).into_iter().map(scored).reduce(better)?;
+    let mut best = fit::candidates(hypothesis, &wrong.iter().map(|(_, sample)| *sample).collect::<Vec<_>>())
+        .into_iter()
+        .map(scored)
+        .reduce(better)?;
     if 2 * best.1 <= wrong.len() && hypothesis.is_stepwise() {
         best = fit::scan(hypothesis.natural(), |size| scored(size).1).into_iter().map(scored).fold(best, better);
     }
@@ -130,10 +137,7 @@ fn judge(hypothesis: &Hypothesis, wrong: &[&Sample], right: &[&Sample]) -> Optio
     if 2 * explained <= wrong.len() {
         return None;
     }
-    let spoils = |sample: &&&Sample| {
-        let was = deviation(sample, hypothesis.truth(&sample.case).as_ref());
-        spoils(was, deviation(sample, hypothesis.at(size, &sample.case).as_ref()))
-    };
+    let spoils = |(before, sample): &&(f64, &Sample)| spoils(*before, left_at(size, sample));
     let fault = &hypothesis.fault;
     let (meaning, natural) = match fault.size {
         Size::Amount { meaning, natural } => (Some(meaning), Some(natural)),
