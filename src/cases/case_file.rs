@@ -12,7 +12,7 @@ pub const ALLOWED: [Allowed; 9] = [
     ("epsilon", "a number, -1 <= epsilon <= 1e9"),
     ("omega", "a number, omega > 0"),
     ("eta", "a number, 0 < eta < 1"),
-    ("alpha", "a number, 0 < alpha < pi/2 (radians)"),
+    ("alpha", "a number, 1e-100 <= alpha < pi/2 (radians)"),
     ("normalisation", "\"threshold\" or \"slender\""),
     ("impacts", "a whole number, 1 to 1000000"),
     ("until", "a number above 0"),

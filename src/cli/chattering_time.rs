@@ -160,7 +160,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         Some(Conclusion::Complete(_)) => "at rest (complete chattering)",
     };
     let mut answer = Answer {
-        case: CaseFacts::of(&question.case),
+        case: CaseFacts::of(&arguments.case.case(question.case.max_impacts())?),
         rocks: outcome != Some(Conclusion::NeverRocks),
         complete: outcome.filter(|outcome| *outcome != Conclusion::NeverRocks).map(|_| time.is_some()),
         tau_ch: time.map(|time| time.value),

@@ -2,6 +2,7 @@
 
 use anyhow::bail;
 use chattercheck::{
+    measure::threshold::excess,
     panel::{self, Method, Refused, Role, Setting, Settings},
     plan::Question,
 };
@@ -147,7 +148,10 @@ impl OracleFlags {
         }
         let question = match flags.scene()? {
             Some(scene) => scene.question()?,
-            None => Question::new(threshold(case)?, Question::DEFAULT_TOLERANCE),
+            None => {
+                let (case, rounding) = threshold(case)?;
+                Question { rounding, ..Question::new(case, Question::DEFAULT_TOLERANCE) }
+            }
         };
         let tolerance = self.tolerance.unwrap_or(question.tolerance);
         if !(1e-15..=0.5).contains(&tolerance) {
@@ -174,14 +178,14 @@ fn auto_uses(setting: Setting, flags: &CaseFlags) -> bool {
     setting == Setting::Tolerance || setting == Setting::Model && flags.scene.is_some()
 }
 
-/// The case with its amplitude over the threshold `g tan α`, as the plan has it.
-fn threshold(case: &Case) -> Result<Case, Invalid> {
+/// The case with its amplitude over the threshold `g tan α`, as the plan has it, and what the rounding of that leaves of `ε`, relative.
+fn threshold(case: &Case) -> Result<(Case, f64), Invalid> {
     match case.slenderness() {
         Some(of) if of.normalisation() == Normalisation::Slender => {
-            let a = case.amplitude() * of.alpha() / of.alpha().tan();
+            let (epsilon, rounding) = excess(case);
             let slenderness = Slenderness::new(of.alpha(), Normalisation::Threshold)?;
-            Ok(Case::from_amplitude(a, case.omega(), case.eta())?.with_slenderness(slenderness))
+            Ok((Case::from_epsilon(epsilon, case.omega(), case.eta())?.with_slenderness(slenderness), rounding))
         }
-        _ => Ok(*case),
+        _ => Ok((*case, 0.0)),
     }
 }

@@ -7,4 +7,5 @@ pub mod critical;
 pub mod excitation;
 pub mod model_gap;
 pub mod observables;
+pub mod threshold;
 pub mod zeno;

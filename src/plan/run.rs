@@ -146,7 +146,9 @@ fn asked(method: Way, question: &Question, errors: &Errors) -> Ran {
     let outcome = match observed.history.ending {
         Ending::Incomplete => Some(Conclusion::Incomplete),
         Ending::Overturned => Some(Conclusion::Overturned),
-        _ => observed.chattering_time.map(|time| Conclusion::Complete(with(time, errors.model + errors.conditioning))),
+        _ => observed
+            .chattering_time
+            .map(|time| Conclusion::Complete(with(time, errors.model + numbers(question, errors)))),
     };
     Ok((outcome, observed.history.impacts.len()))
 }
@@ -165,7 +167,7 @@ fn stepped(method: Way, question: &Question, errors: &Errors) -> Ran {
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
     Ok(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
-        Found::Complete(time, impacts) => (Some(Conclusion::Complete(with(time, known(errors)))), impacts),
+        Found::Complete(time, impacts) => (Some(Conclusion::Complete(with(time, known(question, errors)))), impacts),
         Found::Incomplete(impacts) => (Some(Conclusion::Incomplete), impacts),
         Found::Overturned(impacts) => (Some(Conclusion::Overturned), impacts),
         Found::Undecided => (None, 0),
@@ -173,18 +175,25 @@ fn stepped(method: Way, question: &Question, errors: &Errors) -> Ran {
 }
 
 /// What is known to be wrong beside what closing the sum leaves.
-fn known(errors: &Errors) -> f64 {
-    errors.model + errors.discretisation + errors.conditioning
+fn known(question: &Question, errors: &Errors) -> f64 {
+    errors.model + errors.discretisation + numbers(question, errors)
+}
+
+/// What the rounding of the case's own numbers does; outside of the range in which that is predicted, as much as it is itself.
+fn numbers(question: &Question, errors: &Errors) -> f64 {
+    errors.conditioning.max(question.rounding)
 }
 
 /// The first rocking of a motion that is not that of a case.
 fn responded(oracle: &dyn Oracle, request: &Request, errors: &Errors) -> Ran {
     let response = Response::new(oracle, request)?;
     let Some(bout) = response.bouts.first() else { return Ok((Some(Conclusion::NeverRocks), 0)) };
+    // What rounding does is in what the response itself says.
+    let of_method = errors.model + errors.discretisation;
     let outcome = match bout.outcome {
         _ if bout.is_unsure() => None,
         BoutEnd::Complete { uncertainty } => {
-            Some(Conclusion::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, known(errors))))
+            Some(Conclusion::Complete(with(Estimate { value: bout.duration - bout.start, uncertainty }, of_method)))
         }
         BoutEnd::Overturned => Some(Conclusion::Overturned),
         BoutEnd::Cut => Some(Conclusion::Rocking),

@@ -1,11 +1,11 @@
 //! What a scene asks of a plan.
 
-use contract::{Invalid, Model};
+use contract::Invalid;
 
 use super::Question;
 use crate::motion::{
-    response::{Lobes, Termination},
-    scene::{Amplitude, Scene},
+    response::{Lobes, Request, Termination},
+    scene::Scene,
 };
 
 impl Scene {
@@ -15,16 +15,11 @@ impl Scene {
     /// When the numbers leave the range of a case.
     pub fn question(&self) -> Result<Question, Invalid> {
         let request = self.response(None, Termination::Exact)?;
-        let case = request.case;
+        let Request { case, rounding, .. } = request;
         let lobes = Lobes::new(&case, request.phase);
         let (lobe, start) = lobes.departure(0.0);
         let from_threshold = start == lobe.start;
         let outlasts = request.lasts.is_none_or(|lasts| lasts - start >= lobes.half_period());
-        // An amplitude in physical units is divided by the threshold: some roundings of a, each of which is a/ε times as much of ε.
-        let exact = case.epsilon() == 0.0
-            || matches!(self.ground.amplitude, Amplitude::OverThreshold(_))
-            || (matches!(self.ground.amplitude, Amplitude::OverSlenderThreshold(_)) && self.ask.model == Model::Linear);
-        let rounding = if exact { 0.0 } else { 2.0 * f64::EPSILON * case.amplitude() / case.epsilon().abs() };
         let is_case = case.epsilon() <= 0.0 || (from_threshold && outlasts);
         let (request, afterwards) = if is_case { (None, Some(request)) } else { (Some(request), None) };
         Ok(Question { rounding, request, afterwards, ..Question::new(case, self.ask.tolerance) })

@@ -11,8 +11,10 @@ use crate::{
 const FEWEST: usize = 8;
 /// How many more are made before it is tried again: it takes about as long as that.
 const STEP: usize = 4;
-/// More do not help.
-const MOST: usize = 4000;
+/// Where there are many, a share of them.
+const SHARE: usize = 16;
+/// With hardly any damping it takes tens of thousands.
+const MOST: usize = 200_000;
 /// What a flight leaves of rounding in its interval, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -35,6 +37,7 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
     let half_period = half_period(case.omega());
     let mut walk = Walk::from_rest(solver, case.eta(), 0.0, f64::INFINITY, half_period);
     let mut history = History { impacts: Vec::with_capacity(64), ending: Ending::AtRest, chattering_time: None };
+    let mut next = FEWEST;
     while history.impacts.len() < MOST {
         let interval = match walk.fly().map(|flight| flight.arrival) {
             Some(Arrival::Impact { interval, .. }) => interval,
@@ -46,9 +49,10 @@ pub fn step(solver: &dyn FlightSolver, case: &Case, accuracy: f64, known_complet
         let uncertainty = Uncertainty { time: f64::EPSILON * time, interval: ROUNDING, velocity: ROUNDING };
         history.impacts.push(Impact { time, interval, velocity: departure.side * departure.velocity, uncertainty });
         let count = history.impacts.len();
-        if count < FEWEST || !count.is_multiple_of(STEP) || !(known_complete || solver.rests(&departure)) {
+        if count < next || !(known_complete || solver.rests(&departure)) {
             continue;
         }
+        next = count + STEP.max(count / SHARE);
         if let Some(sum) = zeno::close(&history, case.eta()).filter(|sum| sum.uncertainty <= accuracy * sum.value) {
             return Found::Complete(sum, count);
         }

@@ -9,6 +9,7 @@ mod plan;
 mod response;
 mod rows;
 mod scenes;
+mod slender_threshold;
 mod thrift;
 
 #[path = "../effort/mod.rs"]

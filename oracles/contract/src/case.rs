@@ -42,14 +42,10 @@ impl Slenderness {
     /// A block with slenderness angle `alpha` in radians, whose excitation amplitude is normalised as named.
     ///
     /// # Errors
-    /// When `alpha` is not inside (0, π/2).
+    /// When `alpha` is not inside [1e-100, π/2). Where its square is no number any more, methods would lose digits without a sign of it.
     pub fn new(alpha: f64, normalisation: Normalisation) -> Result<Self, Invalid> {
-        let alpha = Invalid::unless(
-            alpha > 0.0 && alpha < core::f64::consts::FRAC_PI_2,
-            "alpha",
-            alpha,
-            "0 < alpha < pi/2 (radians)",
-        )?;
+        let inside = (1e-100..core::f64::consts::FRAC_PI_2).contains(&alpha);
+        let alpha = Invalid::unless(inside, "alpha", alpha, "1e-100 <= alpha < pi/2 (radians)")?;
         Ok(Self { alpha, normalisation })
     }
 

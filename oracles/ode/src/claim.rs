@@ -126,6 +126,23 @@ pub(crate) fn claim(ode: &Ode, fine: &mut History, coarse: &History, coarser: &H
     }
 }
 
+/// How many times the rounding of `epsilon` an impact is off by: its time goes with the root of `epsilon`, and its velocity with the power 3/2, and as many
+/// times as much again for what the runs at coarser tolerances say of the conditioning.
+const OF_EPSILON: f64 = 4.0;
+
+/// Adds to the claims of `history` what the rounding of `epsilon` does, relative, which all runs share.
+pub(crate) fn widen(history: &mut History, rounding: f64) {
+    // So much is no small perturbation any more.
+    let off = if rounding < DIVERGED { OF_EPSILON * rounding } else { f64::INFINITY };
+    if off > 0.0 {
+        for Impact { time, uncertainty: claim, .. } in &mut history.impacts {
+            claim.time += off * *time;
+            claim.interval += off;
+            claim.velocity += off;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

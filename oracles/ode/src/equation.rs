@@ -3,7 +3,7 @@
 //! Both are written with `g = i + f`, what is left of gravity (in units of its threshold) once the excitation is taken off: it is small
 //! or zero near initiation and near half a period, where `i` and `f` cancel, so it is never formed as their sum.
 
-use contract::{Case, Decline, Normalisation};
+use contract::{Case, Decline, Normalisation, Slenderness};
 
 use crate::Equation;
 
@@ -41,12 +41,7 @@ impl Motion {
             (Equation::Nonlinear, Some(slenderness)) => {
                 let alpha = slenderness.alpha();
                 let (sin, cos) = alpha.sin_cos();
-                // In units of tan(alpha), the threshold of Eq. 1, the amplitude `a alpha` of Eq. 5 is `a alpha cot(alpha)`.
-                let epsilon = match slenderness.normalisation() {
-                    Normalisation::Threshold => case.epsilon(),
-                    Normalisation::Slender => case.epsilon() * (alpha * cos / sin) + alpha_cot_alpha_minus_one(alpha),
-                };
-                (Shape::Exact { alpha, sin, cos }, epsilon)
+                (Shape::Exact { alpha, sin, cos }, threshold_excess(case.epsilon(), slenderness).0)
             }
         };
         if epsilon <= 0.0 {
@@ -164,6 +159,20 @@ impl Forcing {
     }
 }
 
+/// `a - 1` in units of tan(alpha), the threshold of Eq. 1, where the amplitude `a alpha` of Eq. 5 is `a alpha cot(alpha)`; and its rounding, relative, which is
+/// large next to the threshold, where nearly all of it cancels.
+pub fn threshold_excess(epsilon: f64, slenderness: Slenderness) -> (f64, f64) {
+    let alpha = slenderness.alpha();
+    match slenderness.normalisation() {
+        Normalisation::Threshold => (epsilon, 0.0),
+        Normalisation::Slender => {
+            let lost = alpha_cot_alpha_minus_one(alpha);
+            let excess = epsilon * (1.0 + lost) + lost;
+            (excess, 2.0 * f64::EPSILON * (1.0 + lost.abs() / excess.abs()))
+        }
+    }
+}
+
 /// `alpha cot(alpha) - 1 = -alpha^2/(3 - alpha^2/(5 - alpha^2/(7 - ..)))`, Lambert's fraction for the tangent: nothing cancels in it.
 fn alpha_cot_alpha_minus_one(alpha: f64) -> f64 {
     let x = alpha * alpha;
@@ -174,7 +183,6 @@ fn alpha_cot_alpha_minus_one(alpha: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contract::Slenderness;
 
     fn motion(case: &Case, equation: Equation) -> Motion {
         Motion::new(case, equation).unwrap_or(None).unwrap_or_else(|| panic!("{case:?} rocks"))

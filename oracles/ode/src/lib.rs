@@ -249,6 +249,9 @@ impl Oracle for Ode {
         let mut history = self.run(case, self.rtol)?;
         let [coarse, coarser] = claim::tolerances(self.rtol).map(|rtol| self.run(case, rtol));
         claim::claim(self, &mut history, &coarse?, &coarser?);
+        if let (Equation::Nonlinear, Some(slenderness)) = (self.equation, case.slenderness()) {
+            claim::widen(&mut history, equation::threshold_excess(case.epsilon(), slenderness).1);
+        }
         Ok(history)
     }
     /// From a single run each, in its own units at the tolerance of this oracle: as accurate as its impacts, whatever [`Ode::flights`] says of whole

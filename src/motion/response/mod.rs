@@ -13,7 +13,7 @@ mod termination;
 
 use std::sync::Arc;
 
-use contract::{Arrival, Case, Decline, Invalid, Loss, Oracle};
+use contract::{Arrival, Case, Decline, Invalid, Loss, Oracle, Slenderness};
 
 pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
@@ -26,6 +26,8 @@ pub struct Request {
     /// Amplitude, frequency and restitution, and the slenderness for the nonlinear model; the amplitude in multiples of the acceleration at which the
     /// block begins to rock (threshold normalisation).
     pub case: Case,
+    /// By how much `ε` may be off by the rounding of what it was computed from, relative; 0 if it is given as it is.
+    pub rounding: f64,
     /// The phase of the motion at `τ = 0` in radians; `None` for the threshold, growing.
     pub phase: Option<f64>,
     /// When the motion ends, `τ_ex`; `None` for never.
@@ -193,7 +195,7 @@ impl Response {
         }
         let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
         // What rounding does in all flights before a rest is what moving the parameters by about a rounding does.
-        let case = nudged(&request.case)
+        let case = nudged(&request.case, request.rounding)
             .map_err(|_| Decline::Unsupported { what: "cases at the border of what is allowed" })?;
         let other = run::follow(&Request { case, ..*request }, oracle.flights(&case)?.as_ref());
         Ok(response.with_conditioning(&other))
@@ -205,7 +207,9 @@ impl Response {
         for (k, bout) in self.bouts.iter_mut().enumerate() {
             let same = other.bouts.get(k).filter(|other| other.is_like(bout));
             parted |= same.is_none();
-            let moved = same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs());
+            // The time itself is a double, and so is that of the lobe that it is counted from.
+            let rounding = f64::EPSILON * bout.end();
+            let moved = same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs() + rounding);
             bout.conditioning = if parted { f64::INFINITY } else { moved };
             if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
                 *uncertainty += bout.conditioning;
@@ -233,15 +237,16 @@ const ALIKE: usize = 4;
 /// What multiple of the change is claimed: rounding of every flight may add up to more than one change of the parameters shows.
 const MARGIN: f64 = 4.0;
 
-/// The case with its parameters moved by a few roundings each.
-fn nudged(case: &Case) -> Result<Case, Invalid> {
+/// The case with its parameters moved by a few roundings each, and `ε` by its own `rounding` too.
+fn nudged(case: &Case, rounding: f64) -> Result<Case, Invalid> {
     let moved = |value: f64, roundings: f64| value * (1.0 + roundings * f64::EPSILON);
     let nudged = Case::from_epsilon(
-        moved(case.epsilon(), 4.0),
+        moved(case.epsilon(), 4.0) + rounding * case.epsilon(),
         moved(case.omega(), 1.0),
         case.eta() * (1.0 - 0.5 * f64::EPSILON),
     )?;
-    Ok(case.slenderness().map_or(nudged, |slenderness| nudged.with_slenderness(slenderness)))
+    let Some(of) = case.slenderness() else { return Ok(nudged) };
+    Ok(nudged.with_slenderness(Slenderness::new(moved(of.alpha(), -0.5), of.normalisation())?))
 }
 
 impl Request {
@@ -254,8 +259,9 @@ impl Request {
     /// When a time is not above 0.
     pub fn new(case: Case, lasts: Option<f64>, until: f64) -> Result<Self, Invalid> {
         for (field, value) in [("duration", lasts.unwrap_or(1.0)), ("until", until)] {
-            if value.is_nan() || value <= 0.0 {
-                return Err(Invalid::new(field, format!("{value:?}"), "above 0 (in τ)"));
+            // Flights that are shorter by far have speeds that are no numbers.
+            if value.is_nan() || value < 1e-60 {
+                return Err(Invalid::new(field, format!("{value:?}"), "1e-60 or more (in τ)"));
             }
         }
         let most = MOST_CYCLES * std::f64::consts::TAU / case.omega();
@@ -265,6 +271,15 @@ impl Request {
         }
         let lies_at = case.slenderness().map(|slenderness| std::f64::consts::FRAC_PI_2 / slenderness.alpha());
         let most_impacts = Self::MOST_IMPACTS;
-        Ok(Self { case, phase: None, lasts, until, lies_at, termination: Termination::Exact, most_impacts })
+        Ok(Self {
+            case,
+            rounding: 0.0,
+            phase: None,
+            lasts,
+            until,
+            lies_at,
+            termination: Termination::Exact,
+            most_impacts,
+        })
     }
 }

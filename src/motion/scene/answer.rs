@@ -1,12 +1,12 @@
 //! What a scene asks, answered.
 
-use contract::{Case, Decline, Ground, Invalid, Oracle};
+use contract::{Decline, Ground, Invalid, Oracle};
 use serde::Serialize;
 
 use super::{Question, Scene};
 use crate::{
     measure::asking::ask,
-    motion::response::{Bout, BoutEnd, Response, Termination},
+    motion::response::{Bout, BoutEnd, Request, Response, Termination},
 };
 
 /// How many impacts the claim of a chattering time is made from.
@@ -94,7 +94,7 @@ impl Scene {
             initiation: first.map(|bout| seconds(bout.begin())),
             chattering_time: first
                 .filter(|_| asked(Question::ChatteringTime))
-                .map(|bout| self.chattering_time(oracle, &request.case, bout)),
+                .map(|bout| self.chattering_time(oracle, &request, bout)),
             impact_times: asked(Question::ImpactTimes).then_some(impact_times),
             rest_periods: asked(Question::RestPeriods).then(rests),
             response: asked(Question::Response).then(|| Summary {
@@ -106,7 +106,8 @@ impl Scene {
         })
     }
 
-    fn chattering_time(&self, oracle: &dyn Oracle, case: &Case, bout: &Bout) -> ChatteringTime {
+    fn chattering_time(&self, oracle: &dyn Oracle, request: &Request, bout: &Bout) -> ChatteringTime {
+        let Request { case, rounding, .. } = *request;
         let complete = match bout.outcome {
             _ if bout.is_unsure() => None,
             BoutEnd::Complete { .. } => Some(true),
@@ -118,8 +119,12 @@ impl Scene {
         let shaken = bout.flights.iter().all(|flight| flight.departure.ground == Ground::Shaking);
         let of_case = case.with_max_impacts(IMPACTS).ok().filter(|_| bout.start == 0.0 && shaken);
         let claimed = of_case.and_then(|case| ask(oracle, &case).into_observed()?.chattering_time);
+        // What the rounding of the scene's own numbers does is not known to the oracle.
+        let numbers = if rounding > 0.0 { bout.conditioning } else { 0.0 };
         let uncertainty = match bout.outcome {
-            BoutEnd::Complete { uncertainty } => Some(claimed.map_or(uncertainty, |claimed| claimed.uncertainty)),
+            BoutEnd::Complete { uncertainty } => {
+                Some(claimed.map_or(uncertainty, |claimed| claimed.uncertainty + numbers))
+            }
             _ => None,
         };
         let relative = tau.zip(uncertainty).map(|(tau, uncertainty)| uncertainty / tau);

@@ -18,7 +18,7 @@ pub const ALLOWED: [Allowed; 20] = [
     ("half_width", "a number, 1e-6 to 1e6 (metres)"),
     ("half_height", "a number, 1e-6 to 1e6 (metres)"),
     ("radius", "a number, 1e-6 to 1e6 (metres)"),
-    ("slenderness", "a number, 0 < slenderness < pi/2 (radians)"),
+    ("slenderness", "a number, 1e-100 <= slenderness < pi/2 (radians)"),
     ("restitution", RESTITUTIONS),
     ("gravity", "a number, 1e-6 to 1e6 (m/s^2)"),
     ("amplitude", AMPLITUDES),

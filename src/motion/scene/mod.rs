@@ -212,9 +212,9 @@ impl Block {
                 (width.hypot(height), width.atan2(height))
             }
             (None, None, Some(radius), Some(slenderness)) => {
-                let allowed = |value: f64| value > 0.0 && value < std::f64::consts::FRAC_PI_2;
+                let allowed = |value: f64| (1e-100..std::f64::consts::FRAC_PI_2).contains(&value);
                 let slenderness =
-                    text.number("slenderness", slenderness, allowed, "0 < slenderness < pi/2 (radians)")?;
+                    text.number("slenderness", slenderness, allowed, "1e-100 <= slenderness < pi/2 (radians)")?;
                 (length("radius", radius)?, slenderness)
             }
             _ => {

@@ -24,7 +24,12 @@ impl Scene {
         }
         let request = Request::new(case, lasts, until.unwrap_or(limit))?;
         let lies_at = Some(std::f64::consts::FRAC_PI_2 / self.block.slenderness);
-        Ok(Request { phase: self.ground.phase, lies_at, termination: termination.check()?, ..request })
+        // An amplitude in physical units is divided by the threshold: some roundings of a, each of which is a/ε times as much of ε.
+        let exact = case.epsilon() == 0.0
+            || matches!(self.ground.amplitude, Amplitude::OverThreshold(_))
+            || (matches!(self.ground.amplitude, Amplitude::OverSlenderThreshold(_)) && self.ask.model == Model::Linear);
+        let rounding = if exact { 0.0 } else { 2.0 * f64::EPSILON * case.amplitude() / case.epsilon().abs() };
+        Ok(Request { rounding, phase: self.ground.phase, lies_at, termination: termination.check()?, ..request })
     }
 
     /// The case with its amplitude over the threshold of its own model, `g α` or `g tan α`, as responses are counted.

@@ -35,9 +35,17 @@ fn the_borders_of_each_parameter() {
         assert_eq!(refused(Case::from_epsilon(0.5, 1.0, eta)), (!allowed).then_some("eta"), "{eta}");
     }
     let quarter = core::f64::consts::FRAC_PI_2;
-    for (alpha, allowed) in
-        [(least, true), (1.57, true), (0.0, false), (quarter, false), (-0.1, false), (2.0, false), (f64::NAN, false)]
-    {
+    for (alpha, allowed) in [
+        (1e-100, true),
+        (0.99e-100, false),
+        (least, false),
+        (1.57, true),
+        (0.0, false),
+        (quarter, false),
+        (-0.1, false),
+        (2.0, false),
+        (f64::NAN, false),
+    ] {
         assert_eq!(refused(Slenderness::new(alpha, Normalisation::Slender)), (!allowed).then_some("alpha"), "{alpha}");
     }
     let case = Case::from_epsilon(0.5, 1.0, 0.5).unwrap();

@@ -33,7 +33,7 @@ fn the_ends_of_the_ranges() {
             );
         }
     }
-    for alpha in [1e-300, 1e-12, 1.57] {
+    for alpha in [1e-100, 1e-12, 1.57] {
         assert!(both(&case(0.03, 2.0, 0.92), alpha).iter().all(Result::is_ok), "{alpha}");
     }
 }
