@@ -3,7 +3,7 @@
 
 use serde::de::DeserializeOwned;
 
-/// A field, and what is allowed for it.
+/// A field, and what is allowed for it. A field of a table that has others of the same name elsewhere is named with it: `exact.omega`.
 pub type Allowed = (&'static str, &'static str);
 
 /// What a parser for programmers calls the kinds of values, and what people call them.
@@ -55,7 +55,8 @@ pub fn one_line(error: &toml::de::Error, text: &str, allowed: &[Allowed]) -> Str
     const LONGEST: usize = 100;
     let number = line_of(error, text).filter(|_| !is_missing(error));
     let line = number.and_then(|number| text.lines().nth(number)).unwrap_or_default().trim();
-    let message = printable(&in_words(error.message(), field_of(line), allowed));
+    let field = number.map_or_else(String::new, |number| field_at(text, number, allowed));
+    let message = printable(&in_words(error.message(), &field, allowed));
     let Some(number) = number else { return message };
     let shown: String = line.chars().take(LONGEST).collect();
     let dots = if shown.len() < line.len() { "..." } else { "" };
@@ -79,7 +80,24 @@ fn without(text: &str, number: usize) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The field that a line is about.
+/// The field that a line is about: named on it, or where the list begins that it is a line of.
+fn field_at(text: &str, number: usize, allowed: &[Allowed]) -> String {
+    let before: Vec<&str> = text.lines().take(number + 1).collect();
+    let Some((line, above)) = before.split_last() else { return String::new() };
+    let mut open = 0_i32;
+    let begins = above.iter().rev().find(|line| {
+        let (opened, closed) = (line.matches('[').count() as i32, line.matches(']').count() as i32);
+        open += opened - closed;
+        open > 0 || line.contains('=')
+    });
+    let named = begins.filter(|begins| open > 0 && begins.contains('=') && !line.contains('='));
+    let field = field_of(named.unwrap_or(line));
+    let table = above.iter().rev().find(|line| line.trim().starts_with('[')).map_or("", |line| field_of(line));
+    let whole = format!("{table}.{field}");
+    if allowed.iter().any(|(name, _)| *name == whole) { whole } else { field.to_owned() }
+}
+
+/// The field that a line names.
 fn field_of(line: &str) -> &str {
     let name = line.split('=').next().unwrap_or_default().trim();
     let name = name.trim_matches(['[', ']', '"', '\'', ' ']);
@@ -119,9 +137,13 @@ fn in_words(message: &str, field: &str, allowed: &[Allowed]) -> String {
         return message.to_owned();
     }
     // Everything else is not TOML at all.
-    let said =
-        of_field.unwrap_or("field = value, a value being a number as 0.25, a text in quotes, or { unit = number }");
-    format!("not TOML; allowed is {said}")
+    match of_field {
+        Some(said) => format!("{field}: not TOML; allowed is {said}"),
+        None => {
+            "not TOML; allowed is field = value, a value being a number as 0.25, a text in quotes, or { unit = number }"
+                .to_owned()
+        }
+    }
 }
 
 /// Whether two names differ by little: a letter, two that are swapped, or what joins their words.
@@ -142,7 +164,7 @@ fn is_near(one: &str, other: &str) -> bool {
 }
 
 /// A text of a file as it may be shown: in one line, and without what a terminal would obey.
-fn printable(text: &str) -> String {
+pub fn printable(text: &str) -> String {
     let shown = |c: char| if is_control(c) { char::REPLACEMENT_CHARACTER } else { c };
     text.replace('\n', " ").chars().map(shown).collect()
 }
@@ -165,6 +187,25 @@ mod tests {
     fn the_field_what_is_allowed_and_what_stands_there_are_said() {
         let told = told("# first\nomega = \"fast\" # why\n");
         assert_eq!(told, "line 2: omega: allowed is a number, omega > 0, in `omega = \"fast\" # why`");
+    }
+
+    #[test]
+    fn a_value_in_a_list_of_several_lines_is_named_by_its_field() {
+        const WHAT: [Allowed; 1] = [("what", "one of two")];
+        #[derive(serde::Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        enum Word {
+            One,
+        }
+        #[derive(serde::Deserialize)]
+        struct List {
+            #[serde(rename = "what")]
+            _what: Vec<Word>,
+        }
+        for text in ["what = [\n\"one\",\n\"three\"\n]\n", "other = [\n1]\nwhat = [\n\"three\" ]\n"] {
+            let told = read::<List>(text, &WHAT).err().unwrap_or_default();
+            assert!(told.contains(": what: allowed is one of two, in `\"three\""), "{told}");
+        }
     }
 
     #[test]

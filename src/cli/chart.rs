@@ -26,7 +26,7 @@ pub(super) struct Arguments {
     /// Rows of the peers, from benches/peers, to be drawn beside the others
     #[arg(long, value_name = "FILE")]
     peers: Option<PathBuf>,
-    /// Draw the charts again from the tables that are in DIR already, and measure nothing
+    /// Draw the charts again from the tables that are in DIR already, and measure nothing. A cell of theirs that is empty, inf or NaN is drawn as a failure
     #[arg(long, conflicts_with = "peers")]
     redraw: bool,
 }
@@ -51,9 +51,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
             (Part::Atlas, &atlas::CHARTS),
             (Part::Plan, &plan_map::CHARTS),
         ];
-        for (_, charts) in parts.into_iter().filter(|(part, _)| wanted(*part)) {
-            print(&chart::redraw(out, charts)?)?;
-        }
+        let charts = parts.into_iter().filter(|(part, _)| wanted(*part)).flat_map(|(_, charts)| charts);
+        print(&chart::redraw(out, charts)?)?;
         return Ok(Status::Well);
     }
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();

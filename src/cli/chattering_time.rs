@@ -28,10 +28,10 @@ pub(super) struct Arguments {
     #[command(flatten)]
     oracle: OracleFlags,
     /// Close the sum after this many impacts [default: as many as the restitution and the closeness to a_cr need]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count::<1, { Case::MOST_IMPACTS }>)]
     impacts: Option<usize>,
     /// For enclosure: how many digits are to be proven, 1 to 100 [default: as many as a double holds]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<1, 100>)]
     digits: Option<i64>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -44,9 +44,10 @@ struct Answer<'a> {
     case: CaseFacts,
     /// Whether the amplitude exceeds the threshold at all.
     rocks: bool,
-    /// `null` if it does not rock, or the list of impacts is too short to tell.
+    /// `null` if it does not rock, or the list of impacts is too short to tell, or nothing is known of `tau_ch`.
     complete: Option<bool>,
     tau_ch: Option<f64>,
+    /// `null` beside a `tau_ch` too where nothing is known of it.
     uncertainty: Option<f64>,
     /// Proven bounds, as decimals rounded outward; only of the enclosure.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -90,7 +91,15 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let mut answer = answer(oracle.name(), &case, &observed);
     answer.seconds = seconds(arguments, &answer)?;
     arguments.format.print(&answer, text)?;
-    Ok(if matches!(observed.history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
+    let has_none = matches!(observed.history.ending, Ending::Lost(_)) || answer.is_unsure();
+    Ok(if has_none { Status::Disagreed } else { Status::Well })
+}
+
+impl Answer<'_> {
+    /// Whether there is a chattering time of which its own oracle does not know how far it is off.
+    fn is_unsure(&self) -> bool {
+        self.tau_ch.is_some() && !self.uncertainty.is_some_and(f64::is_finite)
+    }
 }
 
 impl Arguments {
@@ -109,7 +118,9 @@ impl Arguments {
     fn observe(&self, oracle: &dyn Oracle, mut case: Case) -> anyhow::Result<(Case, Observed)> {
         let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
         // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
-        let fewest = || self.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten();
+        let is_answer = |observed: &Observed| !matches!(observed.history.ending, Ending::LimitReached(_));
+        let fewest =
+            || self.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten().filter(is_answer);
         let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
         let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
         let mut impacts = case.max_impacts();
@@ -259,7 +270,8 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         case: CaseFacts::of(case),
         rocks: history.ending != Ending::NeverRocks,
         complete: match history.ending {
-            Ending::AtRest => Some(true),
+            // Of what comes to rest at a time of which nothing is known it is not known whether it comes to rest.
+            Ending::AtRest => time.is_none_or(|time| time.uncertainty.is_finite()).then_some(true),
             Ending::Incomplete | Ending::Overturned => Some(false),
             Ending::NeverRocks | Ending::LimitReached(_) | Ending::Lost(_) => None,
         },
@@ -285,6 +297,12 @@ fn text(answer: &Answer) -> String {
     }
     if let (Some(lower), Some(upper)) = (&answer.lower, &answer.upper) {
         return format!("proven: complete, {lower}\n      <= tau_ch <= {upper}, by {}", answer.oracle);
+    }
+    if let (Some(time), true) = (answer.tau_ch, answer.is_unsure()) {
+        return format!(
+            "tau_ch is not known: {} comes to {time:?}, and by its own account may be off by any amount",
+            answer.oracle
+        );
     }
     match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
         (Some(time), Some(uncertainty), Some(fraction)) => format!(

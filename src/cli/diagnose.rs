@@ -28,10 +28,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "W", default_value = "2", allow_hyphen_values = true, value_parser = number)]
     omega: f64,
     /// Restitutions of the charts with a panel for each, 0.5 to 0.98, separated by commas
-    #[arg(long, value_name = "E,E,...", default_value = "0.5,0.8,0.92,0.97", value_delimiter = ',', allow_hyphen_values = true, value_parser = number)]
+    #[arg(long, value_name = "E,E,...", default_value = "0.5,0.8,0.92,0.97", value_delimiter = ',', allow_hyphen_values = true, value_parser = among_others)]
     eta: Vec<f64>,
     /// How many steps each axis of the maps over omega and eta has, 1 to 200
-    #[arg(long, value_name = "N", default_value_t = 16, allow_negative_numbers = true, value_parser = whole)]
+    #[arg(long, value_name = "N", default_value_t = 16, allow_negative_numbers = true, value_parser = whole::<1, 200>)]
     grid: i64,
 }
 
@@ -45,6 +45,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     bar.finish_and_clear();
     print(&chart::write(out, &tables.files()?, &CHARTS)?)?;
     Ok(Status::Well)
+}
+
+/// A number of a list, with or without a space before it.
+fn among_others(text: &str) -> Result<f64, &'static str> {
+    number(text.trim())
 }
 
 fn request(omega: f64, etas: &[f64], grid: i64) -> Result<Scope, Invalid> {

@@ -2,13 +2,12 @@
 //! that a full disk leaves what was there.
 
 use std::{
-    collections::BTreeMap,
     fs::{self, OpenOptions},
-    io,
+    io::{self, Write as _},
     path::{Path, PathBuf},
 };
 
-use anyhow::{Context as _, anyhow, bail};
+use anyhow::{Context as _, bail};
 use chattercheck::studies::chart;
 
 use super::output;
@@ -52,7 +51,7 @@ impl Target {
         }
         let kind = if there.is_none_or(|there| there.is_file()) { Kind::File } else { Kind::Special };
         if kind == Kind::File {
-            tempfile::tempdir_in(folder_of(&path)).with_context(refused)?;
+            chart::folder_in(folder_of(&path)).with_context(refused)?;
         }
         Ok(Self { given: given.to_owned(), path, kind })
     }
@@ -78,16 +77,56 @@ impl Target {
             Kind::Special => return fs::write(&self.path, text).with_context(failed),
             Kind::File => {}
         }
-        let name = self
-            .path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .ok_or_else(|| anyhow!("not a name"))
-            .with_context(failed)?;
-        chart::place(folder_of(&self.path), &BTreeMap::from([(name.to_owned(), text.to_owned())]))
-            .with_context(failed)?;
-        Ok(())
+        self.replace(text).with_context(failed)
     }
+
+    /// Puts a file that is whole in the place of what was there.
+    fn replace(&self, text: &str) -> io::Result<()> {
+        let beside = chart::folder_in(folder_of(&self.path))?;
+        let whole = beside.path().join("whole");
+        fs::write(&whole, text)?;
+        fs::rename(&whole, &self.path)
+    }
+}
+
+/// Writes a new file, and nothing over one that is there.
+///
+/// # Errors
+/// When it is there, or can't be written; nothing is left of it then.
+pub(super) fn write_new(path: &Path, text: &str) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    let written = file.write_all(text.as_bytes());
+    if written.is_err() {
+        // What is half there is worth nothing.
+        let _ = fs::remove_file(path);
+    }
+    written
+}
+
+/// Writes a file of `folder` under the first of the names `STEM-1.toml`, `STEM-2.toml`... that is free, or has the same text already: what another run has
+/// left there stays, and the same run again leaves no more. `text` is told the path. The path.
+///
+/// # Errors
+/// When it can't be written.
+pub(super) fn write_numbered<Text>(folder: &Path, stem: &str, text: Text) -> anyhow::Result<PathBuf>
+where
+    Text: Fn(&Path) -> anyhow::Result<String>,
+{
+    for number in 1_u64.. {
+        let path = folder.join(format!("{stem}-{number}.toml"));
+        let text = text(&path)?;
+        match write_new(&path, &text) {
+            Ok(()) => return Ok(path),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                // A pipe would wait for its writer.
+                if path.is_file() && fs::read(&path).is_ok_and(|there| there == text.as_bytes()) {
+                    return Ok(path);
+                }
+            }
+            Err(error) => return Err(error).with_context(|| format!("cannot write {}", path.display())),
+        }
+    }
+    bail!("no name is free in {}", folder.display())
 }
 
 /// The path without links; that of a file which is not there yet through its folder.
@@ -116,7 +155,7 @@ fn folder_of(path: &Path) -> &Path {
 pub(super) fn make_folder(option: &str, folder: &Path) -> anyhow::Result<()> {
     fs::create_dir_all(folder)
         .with_context(|| format!("{option} = {} is not a folder, and cannot be made one", folder.display()))?;
-    tempfile::tempdir_in(folder).with_context(|| format!("{option} = {} cannot be written to", folder.display()))?;
+    chart::folder_in(folder).with_context(|| format!("{option} = {} cannot be written to", folder.display()))?;
     Ok(())
 }
 
@@ -128,6 +167,6 @@ pub(super) fn check_folder(option: &str, folder: &Path) -> anyhow::Result<()> {
     let refused = || format!("{option} = {} cannot be written to", folder.display());
     let there = folder.ancestors().map(|above| if above.as_os_str().is_empty() { Path::new(".") } else { above });
     let Some(there) = there.into_iter().find(|above| above.symlink_metadata().is_ok()) else { bail!(refused()) };
-    tempfile::tempdir_in(there).with_context(refused)?;
+    chart::folder_in(there).with_context(refused)?;
     Ok(())
 }

@@ -9,6 +9,7 @@ use chattercheck::{
     gate::listed::{self, Judged, Listed, Written},
     measure::asking::{Reply, ask},
     panel,
+    studies::chart::csv_in_words,
 };
 use clap::Args;
 use contract::{Case, Horizon, Invalid, Model};
@@ -235,14 +236,5 @@ fn read(path: &Path) -> anyhow::Result<Vec<Listed>> {
 
 /// What is wrong with a file as CSV.
 fn unread(path: &Path, error: &csv::Error) -> anyhow::Error {
-    let shown = path.display();
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let line = pos.as_ref().map_or(0, csv::Position::line);
-            anyhow!("{shown}, line {line}: columns = {len} are outside the allowed: {expected_len}, as in the head")
-        }
-        csv::ErrorKind::Utf8 { .. } => anyhow!("{shown}: not a text (UTF-8)"),
-        csv::ErrorKind::Io(error) => anyhow!("cannot read {shown}: {error}"),
-        _ => anyhow!("{shown}: not CSV with a head"),
-    }
+    anyhow!("cannot read {}: {}", path.display(), csv_in_words(error))
 }

@@ -31,9 +31,16 @@ mod verified_responses;
 mod verify;
 mod watch;
 
-use std::process::ExitCode;
+use std::{
+    error::Error,
+    io::{self, Write as _},
+    process::ExitCode,
+};
 
-use clap::{Parser, Subcommand};
+use clap::{
+    Parser, Subcommand,
+    error::ErrorKind::{DisplayHelpOnMissingArgumentOrSubcommand, MissingRequiredArgument},
+};
 use output::{Unwritten, complain};
 use typed::as_typed;
 
@@ -132,21 +139,44 @@ pub(crate) fn run() -> ExitCode {
         Ok(status) => status.into(),
         Err(error) => {
             complain(&as_typed(format!("{error:#}"), &words()));
-            if error.chain().any(|cause| cause.is::<Unwritten>()) { Status::Failed.into() } else { ExitCode::from(2) }
+            if error.chain().any(is_of_machine) { Status::Failed.into() } else { ExitCode::from(2) }
         }
     }
 }
 
+/// Whether an error is the fault of the machine and not of the request: stdout that can't be written to, a disk that is full or broken.
+fn is_of_machine(cause: &(dyn Error + 'static)) -> bool {
+    use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull, WriteZero};
+    /// EIO, which has no kind.
+    const DISK: i32 = 5;
+    let full = |error: &io::Error| {
+        matches!(error.kind(), FileTooLarge | QuotaExceeded | StorageFull | WriteZero)
+            || error.raw_os_error() == Some(DISK)
+    };
+    cause.is::<Unwritten>() || cause.downcast_ref().is_some_and(full)
+}
+
 /// Prints clap's help as it is, and its errors in one line.
 fn refuse(error: &clap::Error) -> ExitCode {
-    if !error.use_stderr() || error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+    if error.kind() == DisplayHelpOnMissingArgumentOrSubcommand {
         let _ = error.print();
-        return if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
+        return ExitCode::from(2);
+    }
+    if !error.use_stderr() {
+        let printed = error.print().and_then(|()| io::stdout().flush());
+        return Status::Well.after(output::written(printed).map_err(Into::into)).into();
     }
     let text = error.to_string();
     let lines = text.lines().take_while(|line| !line.starts_with("Usage") && !line.starts_with("For more"));
     let line = lines.map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    complain(line.trim_start_matches("error: "));
+    let line = line.trim_start_matches("error: ").replacen(" tip: ", "; ", 1);
+    let is_missing = |option: &str| error.kind() == MissingRequiredArgument && line.contains(option);
+    let instead = if is_missing("--a <A>") {
+        "; in place of --a there may be --epsilon, and in place of them all --scene FILE"
+    } else {
+        ""
+    };
+    complain(&format!("{line}{instead}"));
     ExitCode::from(2)
 }
 

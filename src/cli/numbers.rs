@@ -1,5 +1,7 @@
 //! Numbers as they are typed. Whether a value is allowed is for the contract to say; that it is the number that was meant is said here.
 
+use std::fmt::Display;
+
 /// A number of the command line.
 pub(super) fn number(text: &str) -> Result<f64, &'static str> {
     const NOT_ONE: &str = "not a number; allowed is one as in 1.03 or 1e-3";
@@ -14,14 +16,18 @@ pub(super) fn number(text: &str) -> Result<f64, &'static str> {
     Ok(value)
 }
 
-/// A whole number of the command line.
-pub(super) fn whole(text: &str) -> Result<i64, &'static str> {
-    text.parse().map_err(|_| "not a whole number, or too large; allowed is one as in 1000")
+/// A whole number of the command line. Its range is named here; what is outside of it is refused where the others of its kind are.
+pub(super) fn whole<const LOWEST: i64, const HIGHEST: i64>(text: &str) -> Result<i64, String> {
+    text.parse().map_err(|_| not_whole(LOWEST, HIGHEST))
 }
 
-/// How many, from 0 on.
-pub(super) fn count(text: &str) -> Result<usize, &'static str> {
-    text.parse().map_err(|_| "not a whole number from 0 on, or too large; allowed is one as in 1000")
+/// How many, see [`whole`].
+pub(super) fn count<const LOWEST: usize, const HIGHEST: usize>(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| not_whole(LOWEST, HIGHEST))
+}
+
+fn not_whole(lowest: impl Display, highest: impl Display) -> String {
+    format!("not a whole number, or too large; allowed is {lowest} to {highest}")
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::{
     io::{self, BufWriter, Write},
 };
 
-use chattercheck::cases::toml_error::is_control;
+use chattercheck::cases::toml_error::{is_control, printable};
 use clap::ValueEnum;
 use serde::Serialize;
 
@@ -30,7 +30,15 @@ impl std::error::Error for Unwritten {}
 /// When stdout can't be written to, other than for a reader that has gone away.
 pub(super) fn write(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Unwritten> {
     let mut stdout = BufWriter::new(io::stdout().lock());
-    match content(&mut stdout).and_then(|()| stdout.flush()) {
+    written(content(&mut stdout).and_then(|()| stdout.flush()))
+}
+
+/// What became of writing to stdout.
+///
+/// # Errors
+/// When it can't be written to, other than for a reader that has gone away.
+pub(super) fn written(result: io::Result<()>) -> Result<(), Unwritten> {
+    match result {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result.map_err(Unwritten),
     }
@@ -42,6 +50,19 @@ pub(super) fn write(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> R
 /// As [`write`].
 pub(super) fn print(text: &str) -> Result<(), Unwritten> {
     write(|stdout| stdout.write_all(text.as_bytes()))
+}
+
+/// Prints a text for people to stdout: what comes from files and other programs is in it, and nothing that a terminal would obey.
+///
+/// # Errors
+/// As [`write`].
+pub(super) fn say(text: &str) -> Result<(), Unwritten> {
+    print(&shown(text))
+}
+
+/// A text as people may see it: lines, without anything that a terminal would obey.
+fn shown(text: &str) -> String {
+    text.chars().map(|c| if c != '\n' && is_control(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
 /// Prints rows as CSV, under the names of their fields.
@@ -66,15 +87,14 @@ pub(super) fn of_csv(error: csv::Error) -> io::Error {
 
 /// Tells people something, on stderr, if anybody listens.
 pub(super) fn note(text: impl fmt::Display) {
-    let _ = writeln!(io::stderr().lock(), "{text}");
+    let _ = writeln!(io::stderr().lock(), "{}", shown(&text.to_string()));
 }
 
 /// Says what is wrong, in one line that is not endless, and without anything that a terminal would obey.
 pub(super) fn complain(text: &str) {
     // What is too long is what was typed, in the middle.
     const KEPT: usize = 300;
-    let shown = |c: char| if is_control(c) { char::REPLACEMENT_CHARACTER } else { c };
-    let text: Vec<char> = text.replace('\n', " ").chars().map(shown).collect();
+    let text: Vec<char> = printable(text).chars().collect();
     let line = |part: &[char]| part.iter().collect::<String>();
     match (text.first_chunk::<KEPT>(), text.last_chunk::<KEPT>()) {
         (Some(first), Some(last)) if text.len() > 2 * KEPT => {
@@ -114,7 +134,7 @@ impl Format {
         match self {
             Self::Json => print(&json(answer, false)?)?,
             Self::JsonLine => print(&json(answer, true)?)?,
-            Self::Text => print(&(text(answer) + "\n"))?,
+            Self::Text => say(&(text(answer) + "\n"))?,
         }
         Ok(())
     }

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use chattercheck::{
-    cases::generate::Named,
+    cases::{generate::Named, toml_error::printable},
     gate::{
         judge::Judges,
         replay::Replay,
@@ -63,5 +63,5 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 
 /// The version that a replay file says it was written by, even where this one can't read the rest.
 fn version_of(text: &str) -> Option<String> {
-    Some(text.parse::<toml::Table>().ok()?.get("version")?.as_str()?.to_owned())
+    Some(printable(text.parse::<toml::Table>().ok()?.get("version")?.as_str()?))
 }

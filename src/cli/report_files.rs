@@ -46,13 +46,17 @@ impl ReportFiles {
 }
 
 impl Targets {
+    /// Whether stdout is for the report of machines.
+    pub fn take_stdout(&self) -> bool {
+        [&self.json, &self.junit].into_iter().flatten().any(Target::is_stdout)
+    }
+
     /// Prints the report for people, unless stdout is for that of machines.
     ///
     /// # Errors
     /// When stdout can't be written to.
     pub fn print(&self, text: &str) -> anyhow::Result<()> {
-        let is_taken = [&self.json, &self.junit].into_iter().flatten().any(Target::is_stdout);
-        if is_taken { Ok(()) } else { Ok(output::print(text)?) }
+        if self.take_stdout() { Ok(()) } else { Ok(output::say(text)?) }
     }
 
     /// Writes the report: each file whole, or not at all.

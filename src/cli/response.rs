@@ -9,7 +9,7 @@ use chattercheck::{
     panel,
     studies::chattering_threshold::{Condition, chattering_threshold},
 };
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, builder::PossibleValue};
 use contract::{Case, Invalid, Model};
 use serde::Serialize;
 
@@ -25,7 +25,8 @@ use super::{
 ///
 /// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
 /// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking, overturned (no return is possible any more) or lying. Time never decreases; at an impact, and where the ground stops, there are two
-/// rows of the same time: just before and just after it. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
+/// rows of the same time, just before and just after it, unless the flights are shorter than a quarter of a step: of those one row a step is printed, and more --steps or
+/// a part by --from and --to show them. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
 ///
 /// Followed until the block rests after the motion; a motion without end for 5 cycles.
 #[derive(Args)]
@@ -54,12 +55,14 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     to: Option<f64>,
     /// Into how many steps the printed part is divided [default: 1000]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count::<1, MOST_STEPS>)]
     steps: Option<usize>,
     /// Output format: the history as CSV, or what happens as JSON
     #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
     format: TableFormat,
 }
+
+const MOST_STEPS: usize = 1_000_000;
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Scheme {
@@ -68,7 +71,7 @@ enum Scheme {
     Chattering,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, ValueEnum)]
 enum Fit {
     Eq76,
     Eq77,
@@ -144,9 +147,9 @@ impl Arguments {
             )
         );
         if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
-            return Err(
-                Invalid::new("condition", format!("{condition:?}"), "only with --termination chattering").into()
-            );
+            let typed = condition.to_possible_value();
+            let typed = typed.as_ref().map_or("", PossibleValue::get_name);
+            return Err(Invalid::new("condition", typed, "only with --termination chattering").into());
         }
         Ok(match self.termination {
             Scheme::Exact => Termination::Exact,
@@ -180,19 +183,18 @@ impl Arguments {
     }
 
     fn window(&self, end: f64) -> Result<Window, Invalid> {
-        const MOST_STEPS: usize = 1_000_000;
         let (from, to) = (self.from.unwrap_or(0.0), self.to.unwrap_or(end));
         if !(from >= 0.0 && from < end) && end > 0.0 {
             return Err(Invalid::new("from", format!("{from:?}"), "from 0 to the end of the response"));
         }
-        if !(to > from && to.is_finite()) && end > 0.0 {
-            return Err(Invalid::new("to", format!("{to:?}"), "a finite time after --from"));
+        if !(to > from && to <= end) && end > 0.0 {
+            return Err(Invalid::new("to", format!("{to:?}"), "after --from, up to the end of the response"));
         }
         let steps = self.steps.unwrap_or(1000);
         if !(1..=MOST_STEPS).contains(&steps) {
             return Err(Invalid::new("steps", steps, "1 to 1000000"));
         }
-        Ok(Window { from, to: to.min(end), steps })
+        Ok(Window { from, to, steps })
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     oracle: OracleFlags,
     /// List this many impacts at the most
-    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count::<1, { Case::MOST_IMPACTS }>)]
     impacts: usize,
     /// Output format
     #[arg(long, value_enum, default_value_t = TableFormat::Csv)]

@@ -13,7 +13,8 @@ use clap::Args;
 use contract::{Invalid, Oracle};
 
 use super::{
-    files::{Target, make_folder},
+    files::{make_folder, write_numbered},
+    numbers::count,
     output::note,
 };
 
@@ -23,6 +24,7 @@ pub(super) struct Responses {
         long,
         value_name = "N",
         allow_negative_numbers = true,
+        value_parser = count::<0, { Selection::MOST }>,
         help = format!(
             "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does]",
             Selection::DEFAULT
@@ -86,7 +88,7 @@ impl Chosen {
         part: &str,
         watch: &impl Progress,
     ) -> anyhow::Result<()> {
-        for (number, failure) in (1..).zip(failures.iter().take(MOST_SCENES)) {
+        for failure in failures.iter().take(MOST_SCENES) {
             let Some(first) = failure.findings.first() else { continue };
             let (shaking, finding) = if watch.is_interrupted() {
                 (failure.shaking, first.clone())
@@ -94,10 +96,10 @@ impl Chosen {
                 responses::shrink(&self.methods(), &failure.shaking, first)
             };
             make_folder("replays", folder)?;
-            let path = folder.join(format!("response-seed-{seed}{part}-{number}.toml"));
-            let shown = path.display().to_string();
-            Target::new(&path)?.write(&responses::scene_text(failure, seed, &shaking, &finding, &shown))?;
-            note(format_args!("shrunk {}: {finding}\n  a scene that shows it: {shown}", failure.name));
+            let text =
+                |path: &Path| responses::scene_text(failure, seed, &shaking, &finding, &path.display().to_string());
+            let path = write_numbered(folder, &format!("response-seed-{seed}{part}"), |path| Ok(text(path)))?;
+            note(format_args!("shrunk {}: {finding}\n  a scene that shows it: {}", failure.name, path.display()));
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 use std::path::{Path, PathBuf};
 
+use anyhow::bail;
 use chattercheck::{
     gate::{
         failure::{Failure, by_cause},
@@ -20,7 +21,7 @@ use rayon::prelude::*;
 
 use super::{
     Status,
-    files::{Target, check_folder, make_folder},
+    files::{check_folder, make_folder, write_numbered},
     numbers::count,
     output::note,
     report_files::ReportFiles,
@@ -33,7 +34,7 @@ use super::{
 #[derive(Args)]
 pub(super) struct Arguments {
     /// How many random cases, beside those of the other generators
-    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true, value_parser = count::<0, { Selection::MOST_CASES }>)]
     cases: usize,
     #[command(flatten)]
     responses: Responses,
@@ -48,7 +49,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "all|N", default_value = "10", allow_hyphen_values = true)]
     judge: String,
     /// Run only the K-th of N shares of the cases
-    #[arg(long, value_name = "K/N", default_value = "1/1")]
+    #[arg(long, value_name = "K/N", default_value = "1/1", allow_hyphen_values = true)]
     partition: String,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
@@ -79,6 +80,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
     let files = arguments.files.check()?;
+    if arguments.full && files.take_stdout() {
+        bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
+    }
     let replays = arguments.replays()?;
     let cases = run::cases(&Selection { cases: arguments.cases, seed, partition }, panel::stepper().as_ref());
     if cases.is_empty() {
@@ -201,9 +205,8 @@ fn write_replays(
     if !replays.is_empty() {
         make_folder("replays", folder)?;
     }
-    for (number, replay) in (1..).zip(&replays) {
-        let path = folder.join(format!("seed-{seed}{part}-{number}.toml"));
-        Target::new(&path)?.write(&replay.to_text()?)?;
+    for replay in &replays {
+        let path = write_numbered(folder, &format!("seed-{seed}{part}"), |_| Ok(replay.to_text()?))?;
         note(format_args!(
             "{} {}: {}\n  run again: chattercheck replay {}",
             if watch.is_interrupted() { "found" } else { "shrunk" },

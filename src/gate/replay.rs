@@ -7,6 +7,7 @@ use crate::{
     cases::{
         case_file::{self, CaseFields},
         hex_float,
+        toml_error::{self, Allowed, printable},
     },
     gate::{report, shrink::Shrunk},
 };
@@ -53,6 +54,13 @@ pub enum ReplayError {
     Value(#[from] Invalid),
 }
 
+/// What is allowed for the fields of a replay file: those of a case, and those of the same names in `[exact]`.
+fn allowed() -> Vec<Allowed> {
+    const HEXADECIMAL: &str = "the hexadecimal form in quotes, as \"0x1p+1\"";
+    let exact = ["exact.epsilon", "exact.omega", "exact.eta", "exact.alpha"].map(|field| (field, HEXADECIMAL));
+    exact.into_iter().chain(case_file::ALLOWED).collect()
+}
+
 impl Replay {
     /// The replay of what a case was shrunk to.
     pub fn new(shrunk: &Shrunk, found_in: String, seed: u64) -> Self {
@@ -87,8 +95,10 @@ impl Replay {
     /// # Errors
     /// When it is not a replay file, a value is not allowed, or the decimal and the exact numbers differ.
     pub fn read(text: &str) -> Result<(Self, Case), ReplayError> {
-        let replay: Self =
-            toml::from_str(text).map_err(|error| ReplayError::Form(case_file::one_line(&error, text)))?;
+        let read: Self =
+            toml::from_str(text).map_err(|error| ReplayError::Form(toml_error::one_line(&error, text, &allowed())))?;
+        // They go to terminals and into reports, each in a line.
+        let replay = Self { found_in: printable(&read.found_in), finding: printable(&read.finding), ..read };
         let case = replay.case.case()?;
         let same = |field, exact: &str, decimal: f64| match hex_float::parse(exact) {
             Some(value) if value.to_bits() == decimal.to_bits() => Ok(()),

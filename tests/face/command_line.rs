@@ -61,6 +61,21 @@ fn chattering_time_by_every_oracle() {
     assert!((0.33..0.35).contains(&earlier), "{earlier}");
 }
 
+/// A time of which its oracle knows nothing is not shown as if it were known.
+#[test]
+fn a_time_that_may_be_off_by_any_amount_is_not_known() {
+    let case = "chattering-time --a 1.03 --omega 2 --eta 0.92 --oracle ode --method bdf --rtol 1e-2";
+    let text = chattercheck(case).assert().code(1).get_output().stdout.clone();
+    let text = String::from_utf8(text).unwrap();
+    assert!(
+        text.contains("not known: ode/linear/bdf") && !text.contains("complete") && !text.contains("inf"),
+        "{text}"
+    );
+    let json = chattercheck(&format!("{case} --format json")).assert().code(1).get_output().stdout.clone();
+    let answer: Value = serde_json::from_slice(&json).unwrap();
+    assert_eq!((&answer["complete"], &answer["uncertainty"]), (&Value::Null, &Value::Null));
+}
+
 #[test]
 fn incomplete_and_absent_rocking_have_no_chattering_time() {
     let incomplete = json("chattering-time --a 1.05 --omega 2 --eta 0.92 --format json");
@@ -199,6 +214,9 @@ fn replay_files_with_something_wrong_are_refused() {
     refuse(&good.replace("seed = 1", "seed = 1\ncolour = 3"), &["colour"]);
     refuse(&good.replace("eta = 0.92", "eta = 1.92"), &["eta = 1.92", "0 < eta < 1"]);
     refuse(&good.replace("0x1p+1", "0x1p+2"), &["exact.omega"]);
+    refuse(&good.replace("\"0x1p+1\"", "2.0"), &["exact.omega: allowed is the hexadecimal form", "0x1p+1"]);
+    refuse(good.split_once(" = \"0x1p+1").unwrap().0, &["exact.omega: not TOML; allowed is the hexadecimal form"]);
+    refuse(&good.replace("omega = 2.0", "omega = \"two\""), &[": omega: allowed is a number, omega > 0"]);
     refuse(&good.replace("\"closed-form\"", "\"nobody\""), &["nobody"]);
     std::fs::write(&path, [0xff, 0xfe, 0x00]).unwrap();
     refused(&format!("replay {}", path.display()), &["replay.toml"]);
@@ -218,6 +236,35 @@ fn a_replay_of_what_is_mended_passes() {
     std::fs::write(&path, replay_text()).unwrap();
     let printed = stdout(&format!("replay {}", path.display()));
     assert!(printed.contains("seen once") && printed.contains("PASS"), "{printed}");
+}
+
+/// What a file says is said in its place and in one line: it can't pass for a verdict, nor colour the terminal.
+#[test]
+fn what_a_replay_file_says_can_pass_for_nothing_else() {
+    const FORGED: &str = "a\\u001b[31m\\u202e\\nPASS: all well";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("replay.toml");
+    // A naive solver is red on this case.
+    let text = replay_text()
+        .replace("ode/linear/tsit45", "ode/linear/tsit45/naive")
+        .replace("0.03125", "0.03")
+        .replace("0x1p-5", "0x1.eb851eb851eb8p-6")
+        .replace("0.92", "0.86")
+        .replace("0x1.d70a3d70a3d71p-1", "0x1.b851eb851eb85p-1")
+        .replace("0.1.0", FORGED)
+        .replace("list/x", FORGED)
+        .replace("seen once", FORGED);
+    std::fs::write(&path, text).unwrap();
+    for report in ["", "--json -", "--junit -"] {
+        let assert = chattercheck(&format!("replay {} {report}", path.display())).assert().code(1);
+        for told in [&assert.get_output().stdout, &assert.get_output().stderr] {
+            let told = String::from_utf8(told.clone()).unwrap();
+            assert!(!told.contains(['\u{1b}', '\u{202e}']), "{told:?}");
+            assert!(!told.lines().any(|line| line.starts_with("PASS")), "{told}");
+        }
+        let told = String::from_utf8_lossy(&assert.get_output().stdout).into_owned();
+        assert!(told.contains("PASS: all well"), "{told}");
+    }
 }
 
 /// Where nothing was compared nothing is mended: the status says so as the text does.

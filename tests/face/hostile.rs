@@ -94,20 +94,40 @@ fn what_is_not_a_number_or_not_the_one_that_is_typed_is_refused() {
         let case = ["chattering-time", "--a", "1.01", "--omega", "2", "--eta", "0.9"];
         refused(&[&case[..], &[flag, value]].concat(), &[flag.trim_start_matches('-')]);
     }
-    for arguments in [
-        ["verify", "--cases", "1e6"],
-        ["verify", "--cases", "99999999999999999999"],
-        ["verify", "--judge", "99999999999999999999"],
-        ["verify", "--partition", "1/99999999999999999999"],
-        ["verify", "--partition", "1"],
-        ["verify", "--oracles", ","],
-        ["verify", "--seed", "1.5"],
-        ["diagnose", "--out=none", "--grid=1e3"],
-        ["diagnose", "--out=none", "--eta=0.9,,0.8"],
-        ["chart", "--out=none", "--peers=/dev/null"],
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/paper_fig_9.toml");
+    let prose = concat!(env!("CARGO_MANIFEST_DIR"), "/LICENSE-MIT");
+    for (command, option, value, range) in [
+        ("verify", "--cases", "1e6", "0 to 1000000"),
+        ("verify", "--cases", "-1", "0 to 1000000"),
+        ("verify", "--cases", "99999999999999999999", "0 to 1000000"),
+        ("verify", "--responses", "-1", "0 to 1000000"),
+        ("verify", "--responses", "99999999999999999999", "0 to 1000000"),
+        ("verify", "--judge", "99999999999999999999", "all, or N >= 1"),
+        ("verify", "--partition", "1/99999999999999999999", "1 <= K <= N"),
+        ("verify", "--partition", "-1/3", "1 <= K <= N"),
+        ("verify", "--partition", "1", "1 <= K <= N"),
+        ("verify", "--oracles", ",", "oracles = (empty)"),
+        ("verify", "--oracles", "", "oracles"),
+        ("verify", "--seed", "1.5", "0 to 18446744073709551615"),
+        ("response", "--steps", "-1", "1 to 1000000"),
+        ("response", "--to", "1e300", "up to the end of the response"),
+        ("response", "--condition", "eq76", "condition = eq76 is outside"),
+        ("diagnose", "--grid", "1e3", "1 to 200"),
+        ("diagnose", "--eta", "0.9,,0.8", "eta"),
+        ("diagnose", "--eta", "0.9, 2", "eta = 2"),
+        ("chart", "--peers", "/dev/null", "peers"),
+        ("chart", "--peers", prose, "share, epsilon, family"),
     ] {
-        refused(&arguments, &[]);
+        let mut arguments = vec![command, option, value];
+        match command {
+            "response" => arguments.push(scene),
+            "verify" => {}
+            _ => arguments.push("--out=none"),
+        }
+        refused(&arguments, &[option.trim_start_matches('-'), range]);
     }
+    let one = ["chattering-time", "--omega", "2", "--eta", "0.9"];
+    refused(&one, &["--a <A>", "--epsilon", "--scene FILE"]);
     assert!(!Path::new("none").exists());
 }
 
@@ -205,6 +225,16 @@ fn a_scene_with_something_wrong_names_line_field_and_what_is_allowed() {
         ),
         ("frequency = { hz = 1.5 }", "frequency = { hz = 1.5 }\n[ask]\nwhat = []", ["line 9", "what", "at least one"]),
         ("frequency = { hz = 1.5 }", "frequency = { hz = 1.5 }\n[ask]\nmodel = 3", ["line 9", "model", "linear"]),
+        (
+            "frequency = { hz = 1.5 }",
+            "frequency = { hz = 1.5 }\n[ask]\nwhat = [\n\"chattering-time\",\n\"foo\"\n]",
+            ["line 11: what", "allowed is", "foo"],
+        ),
+        (
+            "half_width = 0.2\nhalf_height = 1.1\nrestitution = 0.9",
+            "half_width = 1e-6\nhalf_height = 1e6\nrestitution = \"housner\"",
+            ["restitution = 1", "below 1", "slenderness > 6.1e-9"],
+        ),
         (
             "frequency = { hz = 1.5 }",
             "frequency = { hz = 1.5 }\n[ask]\ntolerance = \"tight\"",

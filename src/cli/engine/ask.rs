@@ -9,7 +9,7 @@ use clap::Args;
 use contract::{Case, Model, Oracle};
 
 use super::{ManifestFlag, sensitive};
-use crate::cli::{Status, case_flags::CaseFlags, numbers::count, output::print};
+use crate::cli::{Status, case_flags::CaseFlags, numbers::count, output::say};
 
 /// Ask one engine one case, and print both sides of the talk: what goes to it after >, what comes from it after <
 ///
@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     case: CaseFlags,
     /// List this many impacts at the most
-    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count)]
+    #[arg(long, value_name = "N", default_value_t = Case::DEFAULT_IMPACTS, allow_negative_numbers = true, value_parser = count::<1, { Case::MOST_IMPACTS }>)]
     impacts: usize,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     };
     let mut lines = talk.lines();
     lines.push(format!("{}: {answer}", arguments.name));
-    print(&(lines.join("\n") + "\n"))?;
+    say(&(lines.join("\n") + "\n"))?;
     Ok(status)
 }
 

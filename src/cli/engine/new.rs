@@ -1,6 +1,5 @@
 use std::{
-    fs::{self, OpenOptions},
-    io::Write,
+    fs,
     path::{Path, PathBuf},
 };
 
@@ -9,7 +8,7 @@ use chattercheck::engines::starter::{self, Starter};
 use clap::Args;
 
 use super::MANIFEST;
-use crate::cli::{Status, output::print};
+use crate::cli::{Status, files::write_new, output::print};
 
 /// Write a small engine that works, and its manifest, to begin with
 #[derive(Args)]
@@ -40,16 +39,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     fs::create_dir_all(folder).with_context(|| format!("directory = {} can't be made", folder.display()))?;
     for (name, text) in &files {
-        write_new(&folder.join(name), text)?;
+        let path = folder.join(name);
+        write_new(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
     print(&next(starter, folder))?;
     Ok(Status::Well)
-}
-
-fn write_new(path: &Path, text: &str) -> anyhow::Result<()> {
-    let failed = || format!("cannot write {}", path.display());
-    let mut file = OpenOptions::new().write(true).create_new(true).open(path).with_context(failed)?;
-    file.write_all(text.as_bytes()).with_context(failed)
 }
 
 /// What was written, and what to do with it.

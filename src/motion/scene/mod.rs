@@ -227,6 +227,10 @@ impl Block {
         let of_angular_momentum = 1.0 - 1.5 * slenderness.sin().powi(2);
         let (value, allowed) = match restitution.get_ref() {
             Restitution::Value(value) => (*value, "0 < restitution < 1"),
+            Restitution::Rule(RestitutionRule::Housner) if of_angular_momentum >= 1.0 => (
+                of_angular_momentum,
+                "for \"housner\" 1 - 3/2 sin^2(slenderness) has to be below 1 as a double: slenderness > 6.1e-9",
+            ),
             Restitution::Rule(RestitutionRule::Housner) => (
                 of_angular_momentum,
                 "for \"housner\" 1 - 3/2 sin^2(slenderness) has to be above 0: slenderness < 0.9553",

@@ -6,15 +6,15 @@ use thiserror::Error as ThisError;
 #[derive(Debug, ThisError)]
 pub enum Error {
     /// The file can't be opened or isn't CSV.
-    #[error("{file} cannot be read as a table")]
+    #[error("{file} cannot be read as a table: {how}")]
     Csv {
         /// The file.
         file: String,
-        /// What the reader says.
-        source: csv::Error,
+        /// What is wrong, see [`csv_in_words`].
+        how: String,
     },
     /// The file can't be written.
-    #[error("out: cannot write {file}")]
+    #[error("cannot write {file}")]
     Write {
         /// The file.
         file: String,
@@ -22,7 +22,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// The table has no such column.
-    #[error("{file}: no column {column:?}; there are {}", present.join(", "))]
+    #[error("{file}: no column {column:?}; there are {}", if present.is_empty() { "none".to_owned() } else { present.join(", ") })]
     NoColumn {
         /// The file.
         file: String,
@@ -107,4 +107,17 @@ pub enum Error {
         /// The place along the second axis.
         y: f64,
     },
+}
+
+/// What is wrong with a file as CSV with a head, in the words of who wrote it.
+pub fn csv_in_words(error: &csv::Error) -> String {
+    let line = |position: &Option<csv::Position>| position.as_ref().map_or(0, csv::Position::line);
+    match error.kind() {
+        csv::ErrorKind::Io(error) => error.to_string(),
+        csv::ErrorKind::Utf8 { .. } => "not a text (UTF-8)".to_owned(),
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            format!("line {}: columns = {len} are outside the allowed: {expected_len}, as in the head", line(pos))
+        }
+        _ => "not CSV with a head".to_owned(),
+    }
 }

@@ -1,6 +1,11 @@
 //! From rows to files, and from files to charts.
 
-use std::{collections::BTreeMap, fs, io::ErrorKind, path::Path};
+use std::{
+    collections::BTreeMap,
+    fs,
+    io::{self, ErrorKind},
+    path::Path,
+};
 
 use serde::Serialize;
 
@@ -45,8 +50,8 @@ pub fn write(out: &Path, files: &BTreeMap<&'static str, String>, charts: &[Chart
 ///
 /// # Errors
 /// When a table is not there, or a chart can't be drawn or written; nothing is written then.
-pub fn redraw(out: &Path, charts: &[Chart]) -> Result<String, Error> {
-    let drawn = charts.iter().map(|chart| {
+pub fn redraw<'a>(out: &Path, charts: impl IntoIterator<Item = &'a Chart>) -> Result<String, Error> {
+    let drawn = charts.into_iter().map(|chart| {
         let table = Table::read(out.join(chart.table))?;
         Ok((chart.name.to_owned(), (chart.draw)(&table)?))
     });
@@ -59,8 +64,7 @@ pub fn redraw(out: &Path, charts: &[Chart]) -> Result<String, Error> {
 /// When a file can't be written; nothing is, as far as that can be known before.
 pub fn place(out: &Path, files: &BTreeMap<String, String>) -> Result<String, Error> {
     let failed = |path: &Path, source| Error::Write { file: path.display().to_string(), source };
-    let beside = tempfile::Builder::new().prefix(".chattercheck-").tempdir_in(out);
-    let beside = beside.map_err(|source| failed(out, source))?;
+    let beside = folder_in(out).map_err(|source| failed(out, source))?;
     if let Some(taken) = files.keys().map(|name| out.join(name)).find(|path| path.is_dir()) {
         return Err(failed(&taken, ErrorKind::IsADirectory.into()));
     }
@@ -74,6 +78,18 @@ pub fn place(out: &Path, files: &BTreeMap<String, String>) -> Result<String, Err
         written += &format!("{}\n", path.display());
     }
     Ok(written)
+}
+
+/// A folder in `out` for files that are not whole yet; it goes when it is dropped.
+///
+/// # Errors
+/// When none can be made there: what the system says, without the name of that folder, which nobody typed.
+pub fn folder_in(out: &Path) -> io::Result<tempfile::TempDir> {
+    let folder = tempfile::Builder::new().prefix(".chattercheck-").tempdir_in(out);
+    folder.map_err(|error| {
+        let system = error.get_ref().and_then(|named| named.source()?.downcast_ref::<io::Error>()?.raw_os_error());
+        system.map_or(error, io::Error::from_raw_os_error)
+    })
 }
 
 #[cfg(test)]

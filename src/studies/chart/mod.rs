@@ -56,8 +56,8 @@ mod text;
 mod ticks;
 
 pub use axis::{Axis, Scale};
-pub use error::Error;
-pub use files::{Chart, csv_text, place, redraw, write};
+pub use error::{Error, csv_in_words};
+pub use files::{Chart, csv_text, folder_in, place, redraw, write};
 pub use heat::{Cell, HeatMap, HeatPanel};
 pub use lines::{LineChart, Panel};
 pub use mark::Mark;

@@ -2,7 +2,7 @@
 
 use std::{fs::File, io::Read, path::Path};
 
-use super::{Cell, Error, Point, Series};
+use super::{Cell, Error, Point, Series, csv_in_words};
 
 /// The rows of a CSV file, in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +26,7 @@ impl Table {
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        let file = File::open(path).map_err(|error| Error::Csv { file: name.clone(), source: error.into() })?;
+        let file = File::open(path).map_err(|error| Error::Csv { file: name.clone(), how: error.to_string() })?;
         Self::from_reader(&name, file)
     }
 
@@ -35,7 +35,7 @@ impl Table {
     /// # Errors
     /// When it can't be read, or its rows are not all as long as its header.
     pub fn from_reader(name: &str, reader: impl Read) -> Result<Self, Error> {
-        let wrong = |source| Error::Csv { file: name.to_owned(), source };
+        let wrong = |error| Error::Csv { file: name.to_owned(), how: csv_in_words(&error) };
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(reader);
         let columns = reader.headers().map_err(wrong)?.iter().map(str::to_owned).collect();
         let rows = reader

@@ -11,7 +11,10 @@ use std::{collections::BTreeMap, hint::black_box, time::Instant};
 use contract::{Case, Decline, Invalid, Model};
 use serde::{Deserialize, Serialize};
 
-use crate::{measure::critical, studies::chart::csv_text};
+use crate::{
+    measure::critical,
+    studies::chart::{csv_in_words, csv_text},
+};
 
 pub use charts::CHARTS;
 use methods::{Contender, Found, methods};
@@ -85,18 +88,44 @@ pub fn measure(request: &Scope, done: impl Fn()) -> Result<Vec<WorkRow>, Decline
     Ok(rows)
 }
 
+/// The columns of the rows.
+const COLUMNS: [&str; 10] = [
+    "share",
+    "epsilon",
+    "family",
+    "setting",
+    "impacts",
+    "rhs",
+    "seconds",
+    "tau_ch_error",
+    "impact_40_error",
+    "outcome",
+];
+
 /// The rows of peers, which have the same columns.
 ///
 /// # Errors
 /// When the text is not CSV with these columns, has no row, or a value of a row is out of range; it says in which line.
 pub fn read(text: &str) -> Result<Vec<WorkRow>, Unreadable> {
+    let in_words = |error: csv::Error| Unreadable::Csv(csv_in_words(&error));
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let columns = reader.headers()?.clone();
+    let head = reader.headers().map_err(in_words)?.clone();
+    if COLUMNS.iter().any(|column| !head.iter().any(|there| there == *column)) {
+        return Err(Unreadable::Columns { head: head.iter().collect::<Vec<_>>().join(", ") });
+    }
     let mut rows = Vec::new();
     for record in reader.records() {
-        let record = record?;
-        let row: WorkRow = record.deserialize(Some(&columns))?;
+        let record = record.map_err(in_words)?;
         let line = record.position().map_or(0, csv::Position::line);
+        let row: WorkRow = record.deserialize(Some(&head)).map_err(|error| match error.kind() {
+            csv::ErrorKind::Deserialize { err, .. } => {
+                let place = err.field().and_then(|field| usize::try_from(field).ok());
+                let of =
+                    |from: &csv::StringRecord| place.and_then(|place| from.get(place)).unwrap_or_default().to_owned();
+                Unreadable::Cell { line, column: of(&head), value: of(&record) }
+            }
+            _ => in_words(error),
+        })?;
         row.check().map_err(|why| Unreadable::Row { line, why })?;
         rows.push(row);
     }
@@ -106,9 +135,27 @@ pub fn read(text: &str) -> Result<Vec<WorkRow>, Unreadable> {
 /// Why rows of peers can't be used.
 #[derive(Debug, thiserror::Error)]
 pub enum Unreadable {
-    /// No CSV with these columns.
-    #[error(transparent)]
-    Csv(#[from] csv::Error),
+    /// No CSV.
+    #[error("{0}")]
+    Csv(String),
+    /// Columns are missing.
+    #[error("columns = {head} are outside the allowed: {}", COLUMNS.join(", "))]
+    Columns {
+        /// Those of the head.
+        head: String,
+    },
+    /// Something else where a number should be.
+    #[error(
+        "line {line}: {column} = {value} is outside the allowed range: a number, or a whole one of impacts and evaluations"
+    )]
+    Cell {
+        /// Of the file, from 1.
+        line: u64,
+        /// The column.
+        column: String,
+        /// What stands there.
+        value: String,
+    },
     /// There are no rows.
     #[error("there are no rows")]
     Empty,
