@@ -8,7 +8,7 @@ use chattercheck::studies::{
 };
 use clap::{Args, ValueEnum};
 
-use super::{Status, files::make_folder, output::print};
+use super::{Status, files::make_folder, output::say};
 
 /// Speed against accuracy, and where methods fail: tables (CSV), and charts (SVG) drawn from them
 ///
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
             (Part::Plan, &plan_map::CHARTS),
         ];
         let charts = parts.into_iter().filter(|(part, _)| wanted(*part)).flat_map(|(_, charts)| charts);
-        print(&chart::redraw(out, charts)?)?;
+        say(&chart::redraw(out, charts)?)?;
         return Ok(Status::Well);
     }
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
@@ -63,16 +63,16 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let mut rows = work_precision::measure(&work_precision::Scope::default(), || bar.inc(1))
             .map_err(|decline| anyhow!("{decline}"))?;
         rows.extend(peers);
-        print(&chart::write(out, &work_precision::files(&rows)?, &work_precision::CHARTS)?)?;
+        say(&chart::write(out, &work_precision::files(&rows)?, &work_precision::CHARTS)?)?;
     }
     if wanted(Part::Atlas) {
         let tables =
             atlas::Tables::measure(&atlas::Scope::default(), || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
-        print(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
+        say(&chart::write(out, &tables.files()?, &atlas::CHARTS)?)?;
     }
     if wanted(Part::Plan) {
         let files = BTreeMap::from([("plan_map.csv", chart::csv_text(&plan_map::rows()?)?)]);
-        print(&chart::write(out, &files, &plan_map::CHARTS)?)?;
+        say(&chart::write(out, &files, &plan_map::CHARTS)?)?;
     }
     bar.finish_and_clear();
     Ok(Status::Well)

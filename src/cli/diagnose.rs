@@ -12,7 +12,7 @@ use super::{
     Status,
     files::make_folder,
     numbers::{number, whole},
-    output::print,
+    output::say,
 };
 
 /// Where and why the asymptotic series breaks near the critical amplitude: tables (CSV), and charts (SVG) drawn from them
@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let bar = indicatif::ProgressBar::new_spinner();
     let tables = Tables::measure(&request, || bar.inc(1)).map_err(|decline| anyhow!("{decline}"))?;
     bar.finish_and_clear();
-    print(&chart::write(out, &tables.files()?, &CHARTS)?)?;
+    say(&chart::write(out, &tables.files()?, &CHARTS)?)?;
     Ok(Status::Well)
 }
 

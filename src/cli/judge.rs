@@ -6,6 +6,7 @@ use std::{
 
 use anyhow::{Context as _, anyhow, bail};
 use chattercheck::{
+    cases::toml_error::printable,
     gate::listed::{self, Judged, Listed, Written},
     measure::asking::{Reply, ask},
     panel,
@@ -229,7 +230,7 @@ fn read(path: &Path) -> anyhow::Result<Vec<Listed>> {
     }
     let ignored: Vec<&str> = head.iter().filter(|name| !["time", "tau", "velocity"].contains(name)).collect();
     if !ignored.is_empty() {
-        note(format_args!("{shown}: not looked at: {}", ignored.join(", ")));
+        note(format_args!("{shown}: not looked at: {}", printable(&ignored.join(", "))));
     }
     Ok(list)
 }

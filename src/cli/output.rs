@@ -60,9 +60,11 @@ pub(super) fn say(text: &str) -> Result<(), Unwritten> {
     print(&shown(text))
 }
 
-/// A text as people may see it: lines, without anything that a terminal would obey.
+/// A text as people may see it: lines and tabs, without anything that a terminal would obey.
 fn shown(text: &str) -> String {
-    text.chars().map(|c| if c != '\n' && is_control(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
+    text.chars()
+        .map(|c| if !matches!(c, '\n' | '\t') && is_control(c) { char::REPLACEMENT_CHARACTER } else { c })
+        .collect()
 }
 
 /// Prints rows as CSV, under the names of their fields.

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use chattercheck::studies::{chart, paper};
 use clap::Args;
 
-use super::{Status, files::make_folder, output::print};
+use super::{Status, files::make_folder, output::say};
 
 /// The paper again: its figures as tables (CSV) and charts (SVG) drawn from them, and its claims, each measured and judged
 ///
@@ -23,6 +23,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let bar = indicatif::ProgressBar::new_spinner();
     let files = paper::files(|| bar.inc(1))?;
     bar.finish_and_clear();
-    print(&chart::place(out, &files)?)?;
+    say(&chart::place(out, &files)?)?;
     Ok(Status::Well)
 }

@@ -10,7 +10,7 @@ use clap::Args;
 use super::{
     Status,
     files::make_folder,
-    output::{note, print},
+    output::{note, say},
 };
 
 /// Make the reference tables: 60 digits from the printed equations; 25 proven digits of both models; critical amplitudes,
@@ -44,6 +44,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         note(format_args!("{name}: {} rows", text.lines().count().saturating_sub(1)));
     }
     let tables: BTreeMap<String, String> = tables.map(|(name, text)| (name.to_owned(), text)).into();
-    print(&place(&arguments.out, &tables)?)?;
+    say(&place(&arguments.out, &tables)?)?;
     Ok(Status::Well)
 }

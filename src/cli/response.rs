@@ -25,8 +25,8 @@ use super::{
 ///
 /// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
 /// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking, overturned (no return is possible any more) or lying. Time never decreases; at an impact, and where the ground stops, there are two
-/// rows of the same time, just before and just after it, unless the flights are shorter than a quarter of a step: of those one row a step is printed, and more --steps or
-/// a part by --from and --to show them. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
+/// rows of the same time, just before and just after it. A flight has 9 rows at least; most of those that are shorter than a quarter of a step are left out, and more --steps, or a part by
+/// --from and --to, show them. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
 ///
 /// Followed until the block rests after the motion; a motion without end for 5 cycles.
 #[derive(Args)]

@@ -8,7 +8,7 @@ use chattercheck::engines::starter::{self, Starter};
 use clap::Args;
 
 use super::MANIFEST;
-use crate::cli::{Status, files::write_new, output::print};
+use crate::cli::{Status, files::write_new, output::say};
 
 /// Write a small engine that works, and its manifest, to begin with
 #[derive(Args)]
@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let path = folder.join(name);
         write_new(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     }
-    print(&next(starter, folder))?;
+    say(&next(starter, folder))?;
     Ok(Status::Well)
 }
 
