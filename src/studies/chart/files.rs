@@ -86,9 +86,9 @@ pub fn place(out: &Path, files: &BTreeMap<String, String>) -> Result<String, Err
 /// When none can be made there: what the system says, without the name of that folder, which nobody typed.
 pub fn folder_in(out: &Path) -> io::Result<tempfile::TempDir> {
     let folder = tempfile::Builder::new().prefix(".chattercheck-").tempdir_in(out);
-    folder.map_err(|error| {
-        let system = error.get_ref().and_then(|named| named.source()?.downcast_ref::<io::Error>()?.raw_os_error());
-        system.map_or(error, io::Error::from_raw_os_error)
+    folder.map_err(|error| match error.to_string().split_once(" at path ") {
+        Some((says, _)) => io::Error::new(error.kind(), says),
+        None => error,
     })
 }
 
