@@ -90,6 +90,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     let mut answer = answer(oracle.name(), &case, &observed);
     answer.seconds = seconds(arguments, &answer)?;
+    if answer.is_unsure() {
+        answer.ending = "unsure: by its own account tau_ch may be off by any amount".to_owned();
+    }
     arguments.format.print(&answer, text)?;
     let has_none = matches!(observed.history.ending, Ending::Lost(_)) || answer.is_unsure();
     Ok(if has_none { Status::Disagreed } else { Status::Well })

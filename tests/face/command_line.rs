@@ -74,6 +74,7 @@ fn a_time_that_may_be_off_by_any_amount_is_not_known() {
     let json = chattercheck(&format!("{case} --format json")).assert().code(1).get_output().stdout.clone();
     let answer: Value = serde_json::from_slice(&json).unwrap();
     assert_eq!((&answer["complete"], &answer["uncertainty"]), (&Value::Null, &Value::Null));
+    assert!(answer["ending"].as_str().unwrap().starts_with("unsure"), "{answer}");
 }
 
 #[test]
