@@ -185,7 +185,10 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         half_period_fraction: time.map(|time| time.value / half_period(question.case.omega())),
         impacts: found.attempts.last().map_or(0, |attempt| attempt.impacts),
         oracle: &method,
-        method: time.map(|_| "the cheapest method that meets the tolerance"),
+        method: time.map(|_| match found.meets {
+            true => "the cheapest method that meets the tolerance",
+            false => "the best of the methods, none of which is predicted to meet the tolerance",
+        }),
         ending: ending.to_owned(),
     };
     answer.seconds = seconds(arguments, &answer)?;

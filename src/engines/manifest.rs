@@ -192,8 +192,10 @@ fn known(source: Source<'_>, engine: &str, spanned: Spanned<table::Known>) -> Re
         source.error_at(&span, format!("{what}, not {name:?}"))
     })?;
     let Regime { a, epsilon, omega, eta, alpha, impact } = regime;
-    if let Some([from, to]) =
-        [a, epsilon, omega, eta, alpha, impact].into_iter().flatten().find(|[from, to]| !(from <= to))
+    if let Some([from, to]) = [a, epsilon, omega, eta, alpha, impact]
+        .into_iter()
+        .flatten()
+        .find(|[from, to]| from.is_nan() || to.is_nan() || from > to)
     {
         return Err(
             source.error_at(&span, format!("where: allowed is a range [from, to] with from <= to, not [{from}, {to}]"))

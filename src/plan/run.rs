@@ -167,11 +167,23 @@ fn stepped(method: Way, question: &Question, errors: &Errors) -> Ran {
     // Below a_cr of the linear model by more than the models differ, chattering is known to be complete.
     let complete = question.place.is_some_and(|place| place.share < 1.0 && !place.is_near(question.alpha()));
     Ok(match step(solver.as_ref(), &question.case, CLOSING_SHARE * question.tolerance, complete) {
-        Found::Complete(time, impacts) => (Some(Conclusion::Complete(with(time, known(question, errors)))), impacts),
+        Found::Complete(time, impacts) => {
+            let time = with(time, known(question, errors) + claimed(method, question, impacts)?);
+            (Some(Conclusion::Complete(time)), impacts)
+        }
         Found::Incomplete(impacts) => (Some(Conclusion::Incomplete), impacts),
         Found::Overturned(impacts) => (Some(Conclusion::Overturned), impacts),
         Found::Undecided => (None, 0),
     })
+}
+
+/// What the method itself claims of so many impacts, relative, where nothing is predicted.
+fn claimed(method: Way, question: &Question, impacts: usize) -> Result<f64, Decline> {
+    let (None, Some(oracle)) = (question.place, method.oracle(question)) else { return Ok(0.0) };
+    let case = question.case.with_max_impacts(impacts);
+    let case = case.map_err(|invalid| Decline::NotConvergent { why: invalid.to_string() })?;
+    let last = oracle.history(&case)?.impacts.last().copied();
+    Ok(last.map_or(0.0, |last| last.uncertainty.time / last.time))
 }
 
 /// What is known to be wrong beside what closing the sum leaves.

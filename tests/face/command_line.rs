@@ -434,6 +434,11 @@ fn auto_has_an_answer_where_a_method_has_one() {
     let answer = json(&format!("chattering-time {case} --oracle auto --format json"));
     let (time, off) = (answer["tau_ch"].as_f64().unwrap(), answer["uncertainty"].as_f64().unwrap());
     assert!((time - 0.2012437096360511).abs() <= off && off < 1e-6, "{time} {off}");
+    // Outside of the range where errors are predicted, what the method itself claims is not left out.
+    let slow = "--epsilon 0.0001417978457266572 --omega 0.017302943032268064 --eta 0.00025756917988827943";
+    let answer = json(&format!("chattering-time {slow} --alpha 0.08229060117756828 --oracle auto --format json"));
+    let (time, off) = (answer["tau_ch"].as_f64().unwrap(), answer["uncertainty"].as_f64().unwrap());
+    assert!((time - 7.432326206025943).abs() <= off && off < 1e-9, "{time} {off}");
     // What was asked is what the document says, whatever it was turned into.
     let slender = "--a 1.03 --omega 2 --eta 0.9 --alpha 0.1 --normalisation slender --oracle auto --format json";
     let answer = json(&format!("chattering-time {slender}"));

@@ -62,7 +62,7 @@ fn a_scene_next_to_its_threshold_is_not_said_to_be_known() {
 /// The time of an end is a double, and the slenderness too: no end of a bout is claimed to be exact.
 #[test]
 fn no_end_is_claimed_to_be_known_better_than_a_double_can_say() {
-    for (alpha, model, a) in [(0.1, "linear", 1.01), (0.1, "linear", 1.5), (1.5707963267948, "nonlinear", 3.01)] {
+    for (alpha, model, a) in [("0.1", "linear", 1.01), ("0.1", "linear", 1.5), ("1.5707963267948", "nonlinear", 3.01)] {
         let text = format!(
             "[block]\nradius = 1.3\nslenderness = {alpha}\nrestitution = 0.92\n[ground]\namplitude = {{ over-threshold = {a} }}\nfrequency = {{ omega = 2 }}\n[ask]\nmodel = \"{model}\"\n"
         );
