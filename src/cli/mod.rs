@@ -8,6 +8,7 @@ mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
 mod engine;
+mod engine_flags;
 mod estimate;
 mod files;
 mod followed;

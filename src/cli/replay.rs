@@ -3,24 +3,28 @@ use std::path::PathBuf;
 use anyhow::Context as _;
 use chattercheck::{
     cases::{generate::Named, toml_error::printable},
+    engines::Started,
     gate::{
         judge::Judges,
         replay::Replay,
         report::{self, Report},
         run,
+        verdict::Verdict,
     },
     panel,
 };
 use clap::Args;
 use contract::Oracle;
 
-use super::{Status, case_flags::read_text, output::note, report_files::ReportFiles};
+use super::{Status, case_flags::read_text, engine_flags::EngineFlags, output::note, report_files::ReportFiles};
 
 /// Run one stored disagreement again
 #[derive(Args)]
 pub(super) struct Arguments {
     /// A replay file, as `verify` writes it
     file: PathBuf,
+    #[command(flatten)]
+    engines: EngineFlags,
     #[command(flatten)]
     files: ReportFiles,
 }
@@ -38,12 +42,20 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let ours = env!("CARGO_PKG_VERSION");
         note(format_args!("{path} was written by version {version}; this is {ours}, whose oracles may differ"));
     }
-    let panel = panel::select(&replay.oracles.join(",")).with_context(|| path.to_string())?;
+    let Some(mut engines) = arguments.engines.start()? else { return Ok(Status::Failed) };
+    engines.fleet.engines.retain(|engine| replay.oracles.contains(&engine.entry.launch.name));
+    let of_panel: Vec<&str> =
+        replay.oracles.iter().map(String::as_str).filter(|name| engines.fleet.engine(name).is_none()).collect();
+    let panel = panel::select(&of_panel.join(","))
+        .with_context(|| format!("{path}; an engine is found by --engines FILE, the manifest that it is in"))?;
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
+    let panel = engines.beside(&panel);
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
     let cases = [Named::parse(&replay.found_in, case)];
-    let report = Report::new(&run::run(&panel, &judges, &cases, replay.seed, None, &()), &panel::roles());
+    let run = run::run(&panel, &judges, &cases, replay.seed, None, &());
+    let described = engines.fleet.engines.iter().map(Started::described).collect();
+    let report = engines.with_roles(|roles| Report::new(&run, roles)).with_engines(described);
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));
@@ -51,14 +63,16 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     for shortfall in &report.shortfalls {
         text += &format!("SHORTFALL: {shortfall}\n");
     }
-    let verdict = match (report.passes(), report.failures.is_empty()) {
-        (true, _) => "PASS: the oracles agree on this case now",
-        (false, true) => "FAIL: this says nothing about the disagreement",
-        (false, false) => "FAIL: the disagreement is still there",
+    let (verdict, status) = match (report.verdict, report.failures.is_empty()) {
+        (Verdict::Pass, _) => ("PASS: the oracles agree on this case now", Status::Well),
+        (Verdict::Undecided, _) => ("UNDECIDED: an engine broke", Status::Failed),
+        (Verdict::Fail, true) => ("FAIL: this says nothing about the disagreement", Status::Disagreed),
+        (Verdict::Fail, false) => ("FAIL: the disagreement is still there", Status::Disagreed),
     };
-    let status = if report.passes() { Status::Well } else { Status::Disagreed };
     let status = status.after(files.print(&format!("{text}{verdict}\n")));
-    Ok(status.after(files.write(&report, &cases)))
+    let status = status.after(files.write(&report, &cases));
+    drop(panel);
+    Ok(status.after(engines.stop()))
 }
 
 /// The version that a replay file says it was written by, even where this one can't read the rest.

@@ -26,7 +26,7 @@ pub(super) struct Responses {
         allow_negative_numbers = true,
         value_parser = count::<0, { Selection::MOST }>,
         help = format!(
-            "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does]",
+            "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does, and where engines are given]",
             Selection::DEFAULT
         )
     )]
@@ -42,10 +42,17 @@ pub(super) struct Chosen {
 impl Responses {
     /// # Errors
     /// When there are too many, or none of the oracles follows whole responses and some were asked for.
-    pub fn chosen(&self, panel: &[&dyn Oracle], seed: u64, partition: (usize, usize)) -> Result<Chosen, Invalid> {
+    /// Where there are engines, which follow no whole responses, none are run unless asked for.
+    pub fn chosen(
+        &self,
+        panel: &[&dyn Oracle],
+        engines: bool,
+        seed: u64,
+        partition: (usize, usize),
+    ) -> Result<Chosen, Invalid> {
         let is_asked = |method: &Stepped| panel.iter().any(|oracle| oracle.name() == method.oracle.name());
         let methods: Vec<Stepped> = responders::all().into_iter().filter(is_asked).collect();
-        let usual = if methods.is_empty() { 0 } else { Selection::DEFAULT };
+        let usual = if methods.is_empty() || engines { 0 } else { Selection::DEFAULT };
         let responses = self.responses.unwrap_or(usual);
         if responses > Selection::MOST {
             return Err(Invalid::new("responses", responses, "at most 1000000"));

@@ -2,6 +2,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::bail;
 use chattercheck::{
+    engines::Started,
     gate::{
         failure::{Failure, by_cause},
         judge::Judges,
@@ -13,7 +14,7 @@ use chattercheck::{
         shrink::{shrink, unshrunk},
         verdict::Verdict,
     },
-    panel,
+    panel::{self, Role},
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
@@ -21,6 +22,7 @@ use rayon::prelude::*;
 
 use super::{
     Status,
+    engine_flags::EngineFlags,
     files::{check_folder, make_folder, write_numbered},
     numbers::count,
     output::note,
@@ -40,9 +42,11 @@ pub(super) struct Arguments {
     responses: Responses,
     #[command(flatten)]
     seed: Seed,
-    /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel]
+    /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel; where engines are given, those that step fastest]
     #[arg(long, value_name = "LIST")]
     oracles: Option<String>,
+    #[command(flatten)]
+    engines: EngineFlags,
     #[command(flatten)]
     files: ReportFiles,
     /// Judge every N-th case by proven enclosures, or `all`; listed cases and those with something wrong are judged anyway
@@ -64,6 +68,8 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let panel = match &arguments.oracles {
         Some(list) => panel::select(list)?,
+        // The engine is what is in question: what steps fastest and to nearly all digits is asked beside it, and the judge.
+        None if arguments.engines.are_given() => panel::with_role(Role::Stepper),
         None => panel::default(),
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
@@ -71,10 +77,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let partition = partition(&arguments.partition)?;
     if arguments.cases > Selection::MOST_CASES {
         return Err(Invalid::new("cases", arguments.cases, "at most 1000000").into());
-    }
-    if panel.len() < 2 {
-        let wanted = arguments.oracles.as_deref().unwrap_or_default();
-        return Err(Invalid::new("oracles", wanted, "names of two oracles at least: one alone proves nothing").into());
     }
     let every = every(&arguments.judge)?;
     let judges = panel::judges();
@@ -84,17 +86,27 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
     }
     let replays = arguments.replays()?;
+    let Some(engines) = arguments.engines.start()? else { return Ok(Status::Failed) };
+    let all = engines.beside(&panel);
+    if all.len() < 2 {
+        let wanted = arguments.oracles.as_deref().unwrap_or_default();
+        return Err(Invalid::new("oracles", wanted, "names of two oracles at least: one alone proves nothing").into());
+    }
     let cases = run::cases(&Selection { cases: arguments.cases, seed, partition }, panel::stepper().as_ref());
     if cases.is_empty() {
         return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
     }
-    let responses = arguments.responses.chosen(&panel, seed, partition)?;
+    let has_engines = !engines.fleet.engines.is_empty();
+    let responses = arguments.responses.chosen(&panel, has_engines, seed, partition)?;
     let watch = Watch::start(cases.len() + responses.len(), arguments.quiet);
     let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
-    let run = run::run(&panel, &judges, &cases, seed, ladders, &watch);
+    // The ladders are a test of the panel itself.
+    let run = run::run(&all, &judges, &cases, seed, ladders, &watch).excused(&engines.fleet.known(), &cases);
     let (of_responses, wrong_responses) = responses.run(&watch);
     watch.end();
-    let report = Report::new(&run, &panel::roles()).with_responses(of_responses);
+    let described = engines.fleet.engines.iter().map(Started::described).collect();
+    let report = engines.with_roles(|roles| Report::new(&run, roles));
+    let report = report.with_engines(described).with_responses(of_responses);
     // First what was found: shrinking may take a while.
     let status = match report.verdict {
         Verdict::Pass => Status::Well,
@@ -107,11 +119,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
     let part = of_partition(partition);
-    let written = write_replays(&panel, &judges, seed, &run.failures, replays, &part, &watch);
+    let written = write_replays(&all, &judges, seed, &run.failures, replays, &part, &engines.flag(), &watch);
     if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part, &watch)) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
     }
-    Ok(status)
+    drop(all);
+    Ok(status.after(engines.stop()))
 }
 
 /// What to do next, in a line.
@@ -120,6 +133,9 @@ fn next(report: &Report, full: bool, folder: &Path) -> String {
     let failed = report.failures.len() + report.responses.as_ref().map_or(0, |of| of.failures.len());
     match report.verdict {
         Verdict::Pass => format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1)),
+        Verdict::Undecided if !report.broke.is_empty() => {
+            "next: mend what broke the engine; `chattercheck engine ask` shows the talk about a case\n".to_owned()
+        }
         Verdict::Undecided => "next: run it again to its end; --partition K/N runs a share of the cases\n".to_owned(),
         Verdict::Fail if failed == 0 => format!("next: see which oracles the shortfalls name{tables}\n"),
         Verdict::Fail => {
@@ -184,32 +200,32 @@ fn write_replays(
     failures: &[Failure],
     folder: &Path,
     part: &str,
+    flag: &str,
     watch: &Watch,
 ) -> anyhow::Result<()> {
     let groups = by_cause(failures, Failure::cause);
     let chosen: Vec<&Failure> =
         groups.into_iter().take(CAUSES).flat_map(|(_, group)| group.into_iter().take(OF_EACH)).collect();
-    let replays: Vec<Replay> = chosen
+    let replays: Vec<(Replay, bool)> = chosen
         .into_par_iter()
         .filter_map(|failure| {
             let (case, finding) = (&failure.named.case, failure.findings.first()?);
             // Who has to stop has no time for it.
-            let shrunk = if watch.is_interrupted() {
-                unshrunk(panel, case, finding)
-            } else {
-                shrink(panel, judges, case, finding)
-            };
-            Some(Replay::new(&shrunk, failure.named.to_string(), seed))
+            // Nor is it tried again and again what breaks an engine.
+            let is_as_found = watch.is_interrupted() || finding.is_breakdown();
+            let shrunk =
+                if is_as_found { unshrunk(panel, case, finding) } else { shrink(panel, judges, case, finding) };
+            Some((Replay::new(&shrunk, failure.named.to_string(), seed), is_as_found))
         })
         .collect();
     if !replays.is_empty() {
         make_folder("replays", folder)?;
     }
-    for replay in &replays {
+    for (replay, is_as_found) in &replays {
         let path = write_numbered(folder, &format!("seed-{seed}{part}"), |_| Ok(replay.to_text()?))?;
         note(format_args!(
-            "{} {}: {}\n  run again: chattercheck replay {}",
-            if watch.is_interrupted() { "found" } else { "shrunk" },
+            "{} {}: {}\n  run again: chattercheck replay {}{flag}",
+            if *is_as_found { "found" } else { "shrunk" },
             replay.found_in,
             replay.finding,
             path.display()

@@ -164,7 +164,8 @@ fn easy(started: &Started, judges: &Judges, name: &'static str, case: &Case) -> 
     let judgement = judges.judge(case, std::slice::from_ref(&answer), |_| true).into_iter().next();
     let refuted = judgement.and_then(|judgement| {
         let disagreement = judgement.refuted?;
-        Some(Finding::Refuted { oracle: answer.oracle.clone(), judge: judgement.judge, disagreement })
+        let granted = started.is_granted();
+        Some(Finding::Refuted { oracle: answer.oracle.clone(), judge: judgement.judge, disagreement, granted })
     });
     steps.push(match refuted {
         Some(finding) => {

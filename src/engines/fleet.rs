@@ -1,7 +1,9 @@
 //! The engines of a run, started.
 
 use contract::Oracle;
-use process::{Breakdown, Engine, Verdict, version};
+use process::{Breakdown, Engine, Tolerance, Verdict, version};
+
+use crate::gate::{known::Known, report};
 
 use super::{granted::Granted, manifest::Entry, record::Keeper};
 
@@ -43,6 +45,21 @@ impl Fleet {
         if broke.is_empty() { Ok(fleet) } else { Err(broke) }
     }
 
+    /// The engine of this name.
+    pub fn engine(&self, name: &str) -> Option<&Started> {
+        self.engines.iter().find(|started| started.entry.launch.name == name)
+    }
+
+    /// Every engine as an oracle.
+    pub fn oracles(&self) -> impl Iterator<Item = &dyn Oracle> {
+        self.engines.iter().map(|started| &started.oracle as &dyn Oracle)
+    }
+
+    /// The failures of all of them that are known.
+    pub fn known(&self) -> Vec<Known> {
+        self.engines.iter().flat_map(|started| &started.entry.known).cloned().collect()
+    }
+
     /// Stops all of them; the names of those that did not want to, and how.
     pub fn stop(self) -> Vec<(String, Breakdown)> {
         let stop = |started: Started| {
@@ -54,6 +71,25 @@ impl Fleet {
 }
 
 impl Started {
+    /// Whether its errors are what the manifest grants, and not what it claims.
+    pub fn is_granted(&self) -> bool {
+        !self.oracle.engine().welcome().claims
+    }
+
+    /// What a report says of it.
+    pub fn described(&self) -> report::Engine {
+        let welcome = self.oracle.engine().welcome();
+        let language = if welcome.language.is_empty() { String::new() } else { format!(", {}", welcome.language) };
+        let Tolerance { time, interval, velocity, tau_ch } = self.entry.launch.tolerance;
+        report::Engine {
+            name: self.entry.launch.name.clone(),
+            says: format!("{} {}{language}", welcome.name, welcome.version),
+            receipt: self.receipt.clone(),
+            claims: welcome.claims,
+            granted: report::Granted { time, interval, velocity, tau_ch, reason: self.entry.reason.clone() },
+        }
+    }
+
     /// Starts an engine.
     ///
     /// # Errors

@@ -155,7 +155,7 @@ impl Examination {
         });
         let refuted = self.judgements.iter().filter_map(|Judgement { place, judge, refuted, .. }| {
             let disagreement = refuted.clone()?;
-            Some(Finding::Refuted { oracle: name(*place), judge: judge.clone(), disagreement })
+            Some(Finding::Refuted { oracle: name(*place), judge: judge.clone(), disagreement, granted: false })
         });
         let broke = self.breakdowns().map(|(oracle, decline)| Finding::Broke {
             oracle: oracle.to_owned(),

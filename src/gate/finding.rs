@@ -33,6 +33,9 @@ pub enum Finding {
         judge: String,
         /// On what; the first of the two values is the judge's.
         disagreement: Disagreement,
+        /// Whether the error is what the user of an engine grants it, and not what it claims.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        granted: bool,
     },
     /// An engine of somebody else broke: it says nothing about the physics.
     Broke {

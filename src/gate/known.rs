@@ -65,6 +65,8 @@ pub struct Regime {
 /// What became of an entry in a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct KnownFailure {
+    /// The name of the engine.
+    pub oracle: String,
     /// The entry, in a few words.
     pub says: String,
     /// Why it is known, as the entry says.
@@ -133,6 +135,7 @@ impl Known {
     /// What became of it, when `met` cases were in its regime and it failed in `failed` of them.
     pub fn outcome(&self, met: usize, failed: usize) -> KnownFailure {
         KnownFailure {
+            oracle: self.oracle.clone(),
             says: self.to_string(),
             reason: self.reason.clone(),
             link: self.link.clone(),

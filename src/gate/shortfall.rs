@@ -138,6 +138,8 @@ pub enum Shortfall {
     },
     /// A known failure of an engine that no longer fails: the entry is out of date, or the gate has stopped looking.
     NoLongerFails {
+        /// The name of the engine.
+        oracle: String,
         /// What the entry says.
         failure: String,
         /// In how many cases it did not show.
@@ -210,6 +212,7 @@ pub fn shortfalls(run: &Run, roles: &Roles) -> (Vec<Shortfall>, Vec<NotJudged>) 
     found.extend(of_judge(run));
     of_calibration(run, roles, &mut found);
     found.extend(run.known.iter().filter(|known| known.is_out_of_date).map(|known| Shortfall::NoLongerFails {
+        oracle: known.oracle.clone(),
         failure: known.says.clone(),
         met: known.met,
         entry: known.entry.clone(),
@@ -340,6 +343,7 @@ impl Shortfall {
         match self {
             Self::Silent { oracle } | Self::Declined { oracle, .. } => vec![oracle],
             Self::TooWide { oracle, .. } | Self::Recalibrated { oracle, .. } => vec![oracle],
+            Self::NoLongerFails { oracle, .. } => vec![oracle],
             Self::NoImpact { oracles }
             | Self::NoChatteringTime { oracles }
             | Self::InNameOnly { oracles, .. }
@@ -351,7 +355,6 @@ impl Shortfall {
             | Self::Interrupted { .. }
             | Self::Unjudged { .. }
             | Self::NoLongerDiverges { .. }
-            | Self::NoLongerFails { .. }
             | Self::NothingCompared => Vec::new(),
         }
     }
@@ -405,7 +408,7 @@ impl fmt::Display for Shortfall {
             Self::NoLongerDiverges { divergence } => {
                 write!(f, "a known divergence no longer shows: {divergence} (data/expected.toml)")
             }
-            Self::NoLongerFails { failure, met, entry } => {
+            Self::NoLongerFails { failure, met, entry, .. } => {
                 write!(f, "a known failure no longer shows in {met} cases: {failure}; delete it: {entry}")
             }
             Self::NothingCompared => f.write_str(

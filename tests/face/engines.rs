@@ -186,3 +186,163 @@ fn both_sides_of_the_talk_are_shown() {
     assert_eq!(status, 3);
     assert!(out.contains("mine: ended at the start: exit status 7"), "{out}");
 }
+
+/// The Rust starter, which at a word in its environment makes a mistake.
+fn faulty(folder: &Path, how: &str, more: &str) {
+    let starter = starter::Starter::named("rust").unwrap();
+    let build = folder.join("faulty");
+    if !build.exists() {
+        let fault = "fn fault(how: &str) -> bool { std::env::var(\"FAULT\").is_ok_and(|fault| fault == how) }\n";
+        let text =
+            starter.text.replace("v: eta * speed,", "v: eta * speed * if fault(\"eta\") { 1.0 + 1e-6 } else { 1.0 },");
+        let text = text.replace(
+            "fn chatter(epsilon: f64, omega: f64, eta: f64, impacts: usize, until: Option<f64>) -> String {",
+            "fn chatter(epsilon: f64, omega: f64, eta: f64, impacts: usize, until: Option<f64>) -> String {
+                if fault(\"crash\") && eta > 0.975 { eprintln!(\"eta is too large\"); std::process::exit(9) }",
+        );
+        let text = text.replace("<= 10.0 =>", "<= 10.0 && !fault(\"decline\") =>");
+        assert_eq!(text.matches("fault(").count(), 3);
+        fs::write(folder.join("faulty.rs"), text + fault).unwrap();
+        let built = Command::new("rustc").args(["-O", "faulty.rs"]).current_dir(folder).status().unwrap();
+        assert!(built.success());
+    }
+    let manifest = format!(
+        "[[engine]]\nname = \"mine\"\nrun = [\"./faulty\"]\nmodel = \"linear\"\nenvironment = {{ FAULT = \"{how}\" }}\n\
+         tolerance = {{ time = 1e-10, interval = 1e-10, velocity = 1e-10, reason = \"mine\" }}\n{more}"
+    );
+    fs::write(folder.join("engines.toml"), manifest).unwrap();
+}
+
+/// A run of a few cases.
+fn verify(folder: &Path, more: &str) -> (i32, String, String) {
+    let run = "verify --engines engines.toml --quiet --cases 0 --judge 40 --partition 1/6 --oracles closed-form --json report.json --junit junit.xml";
+    chattercheck(folder, &format!("{run} {more}"))
+}
+
+fn report(folder: &Path) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(folder.join("report.json")).unwrap()).unwrap()
+}
+
+/// What the gate makes of an engine that is right, wrong, breaks, or declines everything.
+#[test]
+fn an_engine_is_put_under_the_gate() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    faulty(folder, "none", "version = { command = [\"echo\", \"mine 1.2.3\"] }\n");
+    let (status, out, err) = verify(folder, "--record talk.jsonl");
+    assert_eq!((status, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains("engine       mine (my Rust engine 1, Rust; mine 1.2.3): PASS"), "{out}");
+    assert!(out.contains("it claims no errors; granted by the manifest: time 1e-10"), "{out}");
+    let right = report(folder);
+    let [engine] = right["engines"].as_array().unwrap().as_slice() else { panic!("{right}") };
+    assert_eq!(
+        (&engine["name"], &engine["receipt"], &engine["verdict"]),
+        (&"mine".into(), &"mine 1.2.3".into(), &"pass".into())
+    );
+    let cases = right["reach"]["cases"].as_u64().unwrap();
+    assert_eq!(engine["answered"].as_u64().unwrap() + engine["declined"].as_u64().unwrap(), cases);
+    let talk = fs::read_to_string(folder.join("talk.jsonl")).unwrap();
+    assert!(talk.lines().count() as u64 > 2 * cases, "{talk}");
+    assert!(talk.lines().all(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["engine"] == "mine"));
+
+    // The same report for any number of processes.
+    faulty(folder, "none", "version = { command = [\"echo\", \"mine 1.2.3\"] }\nprocesses = 3\n");
+    assert_eq!(verify(folder, "").0, 0);
+    assert_eq!(report(folder), right);
+
+    faulty(folder, "eta", "");
+    let (status, out, err) = verify(folder, "");
+    assert_eq!(status, 1);
+    for words in [
+        "failed cases point to mine",
+        "mine is WRONG on velocity, first at impact 1",
+        "(off by 1.00e-6, granted 4.51e-10)",
+        "nothing is wrong, by the judge and the laws, with closed-form",
+        "see it: chattercheck engine ask mine --engines engines.toml --epsilon",
+    ] {
+        assert!(out.contains(words), "no {words:?} in:\n{out}");
+    }
+    assert_eq!(report(folder)["engines"][0]["verdict"], "fail");
+    // The case is made small, and shows the same when it is run again.
+    let again = err.lines().find_map(|line| line.split_once("run again: chattercheck ")).unwrap().1;
+    let (status, out, _) = chattercheck(folder, again);
+    assert_eq!(status, 1);
+    assert!(out.contains("FAIL: the disagreement is still there"), "{out}");
+    let (status, _, err) = chattercheck(folder, again.split(" --engines").next().unwrap());
+    assert_eq!(status, 2);
+    assert!(err.contains("an engine is found by --engines FILE"), "{err}");
+
+    faulty(folder, "crash", "");
+    let (status, out, _) = verify(folder, "");
+    assert_eq!(status, 3, "{out}");
+    for words in [
+        "UNDECIDED: mine broke in ",
+        "broke        mine: ",
+        "mine BROKE: crashed: exit status 9; its error output ends with \"eta is too large\"",
+        "next: mend what broke the engine",
+    ] {
+        assert!(out.contains(words), "no {words:?} in:\n{out}");
+    }
+    let broke = report(folder);
+    assert_eq!((&broke["verdict"], &broke["engines"][0]["verdict"]), (&"undecided".into(), &"undecided".into()));
+    assert!(broke["broke"]["mine"]["crashed"].as_u64().unwrap() > 0);
+    let junit = fs::read_to_string(folder.join("junit.xml")).unwrap();
+    assert!(junit.contains("<error") && !junit.contains("<failure"), "{junit}");
+
+    faulty(folder, "decline", "may-decline = 1.0\n");
+    let (status, out, _) = verify(folder, "");
+    assert_eq!(status, 1);
+    assert!(out.contains("SHORTFALL: mine answered no case"), "{out}");
+}
+
+/// A known failure turns no run red, until it no longer fails: then the line to delete is named.
+#[test]
+fn known_failures_are_strict() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let known = "known = [\n    { class = \"velocity\", reason = \"eta is rounded\" },\n]\n";
+    faulty(folder, "eta", known);
+    let (_, out, _) = verify(folder, "");
+    assert!(out.contains("known        mine: velocity: failed in"), "{out}");
+    assert!(!out.contains("mine is WRONG on velocity"), "{out}");
+    faulty(folder, "none", known);
+    let (status, out, _) = verify(folder, "");
+    assert_eq!(status, 1, "{out}");
+    assert!(out.contains("SHORTFALL: a known failure no longer shows in "), "{out}");
+    assert!(out.contains("cases: mine: velocity; delete it: engines.toml, line 8"), "{out}");
+    assert_eq!(report(folder)["engines"][0]["verdict"], "fail");
+}
+
+#[test]
+fn an_engine_that_does_not_start_leaves_no_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    shell(folder, "echo no licence >&2; exit 5", "");
+    let (status, out, err) = verify(folder, "");
+    assert_eq!((status, out.as_str()), (3, ""));
+    assert!(
+        err.contains("mine: ended at the start: exit status 5; its error output ends with \"no licence\""),
+        "{err}"
+    );
+    for (arguments, words) in [
+        ("--only mien", "there is no engine \"mien\" in it"),
+        ("--engines none.toml", "none.toml: cannot be read"),
+        ("--record -", "record = - is outside the allowed range: a file"),
+    ] {
+        let arguments = format!(
+            "verify --quiet --cases 0 {} {arguments}",
+            if arguments.contains("--engines") { "" } else { "--engines engines.toml" }
+        );
+        let (status, _, err) = chattercheck(folder, &arguments);
+        assert_eq!(status, 2, "{arguments}: {err}");
+        assert!(err.contains(words), "{err}");
+    }
+    let (status, _, err) = chattercheck(folder, "verify --only mine");
+    assert_eq!(status, 2);
+    assert!(err.contains("--engines"), "{err}");
+    fs::write(folder.join("engines.toml"), "[[engine]]\nname = \"taylor\"\nrun = [\"sh\"]\nmodel = \"linear\"\n")
+        .unwrap();
+    let (status, _, err) = verify(folder, "");
+    assert_eq!(status, 2);
+    assert!(err.contains("\"taylor\" is the name of an oracle"), "{err}");
+}

@@ -217,6 +217,8 @@ fn every_option_of_every_command_is_known_to_these_tests() {
     let elsewhere = [
         // The commands that take a while: their own tests run them with these.
         "--cases",
+        "--engines",
+        "--record",
         "--full",
         "--seed",
         "--oracles",

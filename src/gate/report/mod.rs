@@ -1,5 +1,6 @@
 //! What a run found, as data; and as text and JUnit. It counts and decides nothing itself: `shortfall` and `verdict` do.
 
+mod engines;
 mod junit;
 mod tables;
 mod text;
@@ -30,6 +31,7 @@ use crate::{
     measure::observables::Observable,
 };
 
+pub use engines::{Engine, EngineReport, Granted};
 pub use junit::junit;
 pub use tables::full;
 pub use text::{failure_text, finding_text, text};
@@ -50,6 +52,9 @@ pub struct Report {
     pub left_out: Vec<String>,
     /// What was exercised.
     pub reach: Reach,
+    /// How many cases each oracle answered with a history.
+    #[serde(default)]
+    pub answered: BTreeMap<String, usize>,
     /// How often each oracle declined, by reason.
     pub declines: BTreeMap<String, BTreeMap<String, usize>>,
     /// How often each engine broke, by the way in which it did.
@@ -74,6 +79,9 @@ pub struct Report {
     pub shortfalls: Vec<Shortfall>,
     /// What the run was too small to judge.
     pub not_judged: Vec<NotJudged>,
+    /// What became of each engine.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub engines: Vec<EngineReport>,
     /// What was found in whole responses, where any were run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub responses: Option<responses::Report>,
@@ -178,6 +186,7 @@ impl Report {
             accounted: Accounted { handed: run.handed, examined: tally.examined },
             left_out: run.left_out.clone(),
             reach: tally.reach.clone(),
+            answered: tally.answered.clone(),
             declines: tally.declines.clone(),
             broke: tally.broke.clone(),
             pairs: run.pairs.clone(),
@@ -189,6 +198,7 @@ impl Report {
             failures,
             shortfalls,
             not_judged,
+            engines: Vec::new(),
             responses: None,
             verdict,
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{FailedCase, Report};
+use super::{FailedCase, Report, engines};
 use crate::{
     gate::{
         compare::{Disagreement, Figure},
@@ -20,8 +20,8 @@ use crate::{
 /// The report in short: what came out, what was exercised, how narrow it was, what was left out, and what to do next.
 pub fn text(report: &Report) -> String {
     let mut out = verdict(report);
-    for line in exercised(report).into_iter().chain(margins(report)).chain(of_responses(report)).chain(left_out(report))
-    {
+    let parts = [exercised(report), engines::lines(report), margins(report), of_responses(report), left_out(report)];
+    for line in parts.into_iter().flatten() {
         let _ = writeln!(out, "{line}");
     }
     if report.verdict != Verdict::Pass {
@@ -232,9 +232,9 @@ pub fn finding_text(finding: &Finding) -> String {
             };
             format!("{one} : {two} disagree on {}: {mine} against {theirs}{size}{poisoned}", place(disagreement))
         }
-        Finding::Refuted { oracle, judge, disagreement } => {
+        Finding::Refuted { oracle, judge, disagreement, granted } => {
             let [proven, answered] = &disagreement.values;
-            let size = size(disagreement.figure, "off by", "claimed");
+            let size = size(disagreement.figure, "off by", if *granted { "granted" } else { "claimed" });
             format!("{oracle} is WRONG on {}: {answered}, proven {proven} by {judge}{size}", place(disagreement))
         }
         Finding::Broke { oracle, how, .. } => format!("{oracle} BROKE: {how}"),

@@ -1,0 +1,151 @@
+//! The engines of a run: the flags that name them, and what is made of these.
+
+use std::{
+    io::BufWriter,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+use anyhow::{Context as _, bail};
+use chattercheck::{
+    engines::{
+        Entry, Fleet, Manifest,
+        record::{Keeper, Recording},
+    },
+    gate::roles::Roles,
+    panel,
+};
+use clap::Args;
+use contract::{Invalid, Oracle};
+use tempfile::NamedTempFile;
+
+use super::{engine::sensitive, output::note};
+
+#[derive(Args)]
+pub(super) struct EngineFlags {
+    /// A manifest of engines, simulators of your own, to be put beside the panel and under the judge
+    #[arg(long, value_name = "FILE")]
+    engines: Option<PathBuf>,
+    /// Of these engines only the one of this name
+    #[arg(long, value_name = "NAME", requires = "engines")]
+    only: Option<String>,
+    /// Keep every line of the talk with the engines, a JSON object a line
+    #[arg(long, value_name = "FILE", requires = "engines")]
+    record: Option<PathBuf>,
+}
+
+/// The engines of a run, started.
+pub(super) struct Engines {
+    pub fleet: Fleet,
+    manifest: PathBuf,
+    record: Option<Record>,
+}
+
+/// A record that is being written beside where it goes.
+struct Record {
+    path: PathBuf,
+    file: NamedTempFile,
+    recording: Arc<Recording<BufWriter<std::fs::File>>>,
+}
+
+impl EngineFlags {
+    /// Whether there are any.
+    pub fn are_given(&self) -> bool {
+        self.engines.is_some()
+    }
+
+    /// Starts the engines; none if they broke, which is told.
+    ///
+    /// # Errors
+    /// When the manifest has something wrong in it, an engine has the name of an oracle, or the record can't be written.
+    pub fn start(&self) -> anyhow::Result<Option<Engines>> {
+        let Some(path) = &self.engines else {
+            return Ok(Some(Engines { fleet: Fleet::default(), manifest: PathBuf::new(), record: None }));
+        };
+        let manifest = Manifest::read(path)?;
+        let entries: Vec<Entry> = match &self.only {
+            Some(name) => vec![manifest.engine(name)?.clone()],
+            None => manifest.engines,
+        };
+        for entry in &entries {
+            let name = &entry.launch.name;
+            if panel::method(name).is_some() || panel::all().iter().any(|oracle| oracle.name() == name) {
+                bail!("{}: name: {name:?} is the name of an oracle (see `chattercheck oracles`)", path.display());
+            }
+        }
+        let record = self.record.as_deref().map(Record::new).transpose()?;
+        let keeper = record.as_ref().map_or_else(Keeper::default, |record| Keeper::of(&record.recording));
+        match Fleet::start(&entries, sensitive, &keeper) {
+            Ok(fleet) => Ok(Some(Engines { fleet, manifest: path.clone(), record })),
+            Err(broke) => {
+                for (name, broke) in broke {
+                    note(format_args!("chattercheck: {name}: {broke}"));
+                    broke.stderr.lines().for_each(|line| note(format_args!("  | {line}")));
+                }
+                Record::finish(record)?;
+                Ok(None)
+            }
+        }
+    }
+}
+
+impl Engines {
+    /// The oracles of the panel, then the engines.
+    pub fn beside<'a>(&'a self, panel: &[&'a dyn Oracle]) -> Vec<&'a dyn Oracle> {
+        panel.iter().copied().chain(self.fleet.oracles()).collect()
+    }
+
+    /// Hands `then` what the gate has to be told of the panel and of the engines.
+    pub fn with_roles<T>(&self, then: impl FnOnce(&Roles<'_>) -> T) -> T {
+        let may_decline = |oracle: &str| match self.fleet.engine(oracle) {
+            Some(engine) => engine.entry.may_decline,
+            None => panel::may_decline(oracle),
+        };
+        let granted = |oracle: &str| self.fleet.engine(oracle).is_some_and(|engine| engine.is_granted());
+        let shown_by = |oracle: &str, flags: &str| match self.fleet.engine(oracle) {
+            Some(_) => format!("chattercheck engine ask {oracle} --engines {} {flags}", self.manifest.display()),
+            None => panel::shown_by(oracle, flags),
+        };
+        then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
+    }
+
+    /// The flag that names the manifest, for commands that are shown.
+    pub fn flag(&self) -> String {
+        if self.fleet.engines.is_empty() { String::new() } else { format!(" --engines {}", self.manifest.display()) }
+    }
+
+    /// Ends the engines, tells which did not want to, and puts the record where it goes.
+    ///
+    /// # Errors
+    /// When the record can't be written.
+    pub fn stop(self) -> anyhow::Result<()> {
+        for (name, broke) in self.fleet.stop() {
+            note(format_args!("chattercheck: {name}: {broke}"));
+        }
+        Record::finish(self.record)
+    }
+}
+
+impl Record {
+    fn new(path: &Path) -> anyhow::Result<Self> {
+        if path == Path::new("-") {
+            return Err(Invalid::new("record", "-", "a file").into());
+        }
+        let failed = || format!("cannot write {}", path.display());
+        if path.is_dir() {
+            bail!("{}: it is a folder", failed());
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let file = NamedTempFile::new_in(folder).with_context(failed)?;
+        let recording = Arc::new(Recording::new(BufWriter::new(file.reopen().with_context(failed)?)));
+        Ok(Self { path: path.to_owned(), file, recording })
+    }
+
+    fn finish(record: Option<Self>) -> anyhow::Result<()> {
+        let Some(Self { path, file, recording }) = record else { return Ok(()) };
+        let failed = || format!("cannot write {}", path.display());
+        recording.finish().with_context(failed)?;
+        file.persist(&path).with_context(failed)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,129 @@
+//! What a report says of the engines in a run, the simulators of somebody else.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{FailedCase, Report};
+use crate::gate::{failure::Cause, finding::Finding, shortfall::Shortfall, verdict::Verdict};
+
+/// An engine, as it is known before it is asked.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Engine {
+    /// Its name in the manifest.
+    pub name: String,
+    /// Its own name, version and language, as it says.
+    pub says: String,
+    /// What its version command printed; empty without one.
+    pub receipt: String,
+    /// Whether it claims errors itself.
+    pub claims: bool,
+    /// What its user grants it where it claims none.
+    pub granted: Granted,
+}
+
+/// Errors that a user grants an engine, times `1 + κ`, with `κ` the conditioning of each observable.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Granted {
+    /// Of a time, absolute.
+    pub time: f64,
+    /// Of an interval, relative.
+    pub interval: f64,
+    /// Of a velocity, relative.
+    pub velocity: f64,
+    /// Of the chattering time, absolute.
+    pub tau_ch: f64,
+    /// Why.
+    pub reason: String,
+}
+
+/// What became of an engine in a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EngineReport {
+    /// Which.
+    #[serde(flatten)]
+    pub engine: Engine,
+    /// In how many cases it gave a history.
+    pub answered: usize,
+    /// How many cases it declined.
+    pub declined: usize,
+    /// Over how many it broke.
+    pub broke: usize,
+    /// In how many something is wrong with its answer, or it is in every pair that disagrees.
+    pub wrong: usize,
+    /// Its own verdict.
+    pub verdict: Verdict,
+}
+
+impl Report {
+    /// The same with what became of these engines. One that answered nothing turns any run red.
+    #[must_use]
+    pub fn with_engines(mut self, engines: Vec<Engine>) -> Self {
+        for engine in engines {
+            let name = &engine.name;
+            let answered = self.answered.get(name).copied().unwrap_or(0);
+            let count = |by_reason: &BTreeMap<String, usize>| by_reason.values().sum();
+            let declined = self.declines.get(name).map_or(0, count);
+            let broke = self.broke.get(name).map_or(0, count);
+            if answered + broke == 0 {
+                let silent = Shortfall::Silent { oracle: name.clone() };
+                if !self.shortfalls.contains(&silent) {
+                    self.shortfalls.push(silent);
+                }
+            }
+            if !engine.claims {
+                for finding in self.failures.iter_mut().flat_map(|failure| &mut failure.findings) {
+                    if let Finding::Refuted { oracle, granted, .. } = finding
+                        && oracle == name
+                    {
+                        *granted = true;
+                    }
+                }
+            }
+            let wrong = self.failures.iter().filter(|failure| is_to_blame(name, failure)).count();
+            let about = self.shortfalls.iter().filter(|shortfall| shortfall.oracles().contains(&name.as_str()));
+            let undecided = (broke > 0).then_some(Verdict::Undecided);
+            let verdict = Verdict::of(wrong, about.map(Shortfall::verdict).chain(undecided));
+            self.verdict = self.verdict.max(verdict);
+            self.engines.push(EngineReport { engine, answered, declined, broke, wrong, verdict });
+        }
+        self
+    }
+}
+
+/// Whether a failure points to this oracle, and not only because it broke.
+fn is_to_blame(name: &str, failure: &FailedCase) -> bool {
+    match failure.cause() {
+        Cause::Oracles(oracles) => oracles.iter().any(|oracle| oracle == name),
+        Cause::Pairs(pairs) => pairs.iter().flatten().any(|oracle| oracle == name),
+        Cause::Judge(_) => {
+            failure.findings.iter().any(|finding| !finding.is_breakdown() && finding.oracles().contains(&name))
+        }
+        Cause::Broken(..) => false,
+    }
+}
+
+/// The lines about the engines in the report for people.
+pub(super) fn lines(report: &Report) -> Vec<String> {
+    let mut lines = Vec::new();
+    for EngineReport { engine, answered, declined, broke, wrong, verdict } in &report.engines {
+        let Engine { name, says, receipt, claims, granted } = engine;
+        let receipt = if receipt.is_empty() { String::new() } else { format!("; {receipt}") };
+        let mut said = format!("{name} ({says}{receipt}): {verdict}, {answered} cases answered");
+        for (count, what) in [(wrong, "wrong"), (declined, "declined"), (broke, "broke it")] {
+            if *count > 0 {
+                said += &format!(", {count} {what}");
+            }
+        }
+        lines.push(format!("  {:12} {said}", "engine"));
+        if !claims {
+            let Granted { time, interval, velocity, reason, .. } = granted;
+            let by = if reason.is_empty() { "nothing is granted by its manifest".to_owned() } else { reason.clone() };
+            lines.push(format!(
+                "  {:12} it claims no errors; granted by the manifest: time {time:e}, interval {interval:e}, velocity {velocity:e} ({by})",
+                ""
+            ));
+        }
+    }
+    lines
+}
