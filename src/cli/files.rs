@@ -66,6 +66,11 @@ impl Target {
         self.path == other.path
     }
 
+    /// Whether it is the file at this path, which is without links.
+    pub fn is_at(&self, path: &Path) -> bool {
+        self.kind != Kind::Stdout && self.path == path
+    }
+
     /// Writes the whole file, or leaves what was there.
     ///
     /// # Errors

@@ -31,7 +31,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
-    let files = arguments.files.check()?;
+    let files = arguments.files.check(Some(&arguments.file))?;
     let text = read_text(&arguments.file)?;
     let other = version_of(&text).filter(|version| version != env!("CARGO_PKG_VERSION"));
     let (replay, case) = Replay::read(&text).with_context(|| match &other {

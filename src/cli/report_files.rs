@@ -1,6 +1,9 @@
 //! The files that a report is written to, for machines.
 
-use std::path::PathBuf;
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use chattercheck::{
     cases::generate::Named,
@@ -31,8 +34,8 @@ impl ReportFiles {
     /// That the files can be written is found out before the work, not after it. What is in them stays.
     ///
     /// # Errors
-    /// When one can't be written, or both are the same.
-    pub fn check(&self) -> anyhow::Result<Targets> {
+    /// When one can't be written, or both are the same, or one is the file that is `read`.
+    pub fn check(&self, read: Option<&Path>) -> anyhow::Result<Targets> {
         let target = |path: &Option<PathBuf>| path.as_deref().map(Target::new).transpose();
         let (json, junit) = (target(&self.json)?, target(&self.junit)?);
         if let (Some(json), Some(junit)) = (&json, &junit)
@@ -40,6 +43,17 @@ impl ReportFiles {
         {
             let allowed = "another file than that of --json";
             return Err(Invalid::new("junit", junit.given.display(), allowed).into());
+        }
+        // A report over it would be the end of it.
+        let read = read.and_then(|read| fs::canonicalize(read).ok());
+        for (option, target) in [("json", &json), ("junit", &junit)] {
+            if let Some(target) =
+                target.as_ref().filter(|target| read.as_deref().is_some_and(|read| target.is_at(read)))
+            {
+                return Err(
+                    Invalid::new(option, target.given.display(), "another file than the one that is read").into()
+                );
+            }
         }
         Ok(Targets { json, junit })
     }

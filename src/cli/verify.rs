@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let every = every(&arguments.judge)?;
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
-    let files = arguments.files.check()?;
+    let files = arguments.files.check(None)?;
     if arguments.full && files.take_stdout() {
         bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
     }

@@ -247,6 +247,19 @@ fn a_scene_with_something_wrong_names_line_field_and_what_is_allowed() {
     }
 }
 
+/// A report over the file that is run again would be the end of it.
+#[test]
+fn a_report_is_not_written_over_the_replay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("replay.toml");
+    std::fs::write(&path, "kept").unwrap();
+    let path = path.to_str().unwrap();
+    for option in ["--json", "--junit"] {
+        refused(&["replay", path, option, path], &[option.trim_start_matches('-'), "replay.toml", "another file"]);
+    }
+    assert_eq!(std::fs::read_to_string(path).unwrap(), "kept");
+}
+
 #[test]
 fn a_replay_of_another_version_says_so() {
     let folder = tempfile::tempdir().unwrap();
