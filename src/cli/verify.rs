@@ -119,7 +119,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let status = status.after(files.write(&report, &cases));
     // A disagreement stays one where its replay files can't be written.
     let part = of_partition(partition);
-    let written = write_replays(&all, &judges, seed, &run.failures, replays, &part, &engines.flag(), &watch);
+    let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };
+    let written = write_replays(&all, &judges, &run.failures, &place, &engines.flag(), &watch);
     if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part, &watch)) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
     }
@@ -192,17 +193,23 @@ fn of_partition((part, parts): (usize, usize)) -> String {
 const CAUSES: usize = 5;
 const OF_EACH: usize = 2;
 
+/// Where replay files go, what their names begin with, and the seed of the run.
+struct Place<'a> {
+    folder: &'a Path,
+    stem: String,
+    seed: u64,
+}
+
 /// Shrinks the first finding of a few failures of each cause, and writes each to a file.
 fn write_replays(
     panel: &[&dyn Oracle],
     judges: &Judges,
-    seed: u64,
     failures: &[Failure],
-    folder: &Path,
-    part: &str,
+    place: &Place,
     flag: &str,
     watch: &Watch,
 ) -> anyhow::Result<()> {
+    let Place { folder, stem, seed } = place;
     let groups = by_cause(failures, Failure::cause);
     let chosen: Vec<&Failure> =
         groups.into_iter().take(CAUSES).flat_map(|(_, group)| group.into_iter().take(OF_EACH)).collect();
@@ -210,19 +217,18 @@ fn write_replays(
         .into_par_iter()
         .filter_map(|failure| {
             let (case, finding) = (&failure.named.case, failure.findings.first()?);
-            // Who has to stop has no time for it.
-            // Nor is it tried again and again what breaks an engine.
+            // Who has to stop has no time for it, and what breaks an engine is not tried again and again.
             let is_as_found = watch.is_interrupted() || finding.is_breakdown();
             let shrunk =
                 if is_as_found { unshrunk(panel, case, finding) } else { shrink(panel, judges, case, finding) };
-            Some((Replay::new(&shrunk, failure.named.to_string(), seed), is_as_found))
+            Some((Replay::new(&shrunk, failure.named.to_string(), *seed), is_as_found))
         })
         .collect();
     if !replays.is_empty() {
         make_folder("replays", folder)?;
     }
     for (replay, is_as_found) in &replays {
-        let path = write_numbered(folder, &format!("seed-{seed}{part}"), |_| Ok(replay.to_text()?))?;
+        let path = write_numbered(folder, stem, |_| Ok(replay.to_text()?))?;
         note(format_args!(
             "{} {}: {}\n  run again: chattercheck replay {}{flag}",
             if *is_as_found { "found" } else { "shrunk" },
