@@ -13,10 +13,10 @@ use chattercheck::{
         record::{Keeper, Recording},
     },
     gate::roles::Roles,
-    panel,
+    panel::{self, Panel, Role},
 };
 use clap::Args;
-use contract::{Invalid, Oracle};
+use contract::{Invalid, Model, Oracle};
 use tempfile::NamedTempFile;
 
 use super::{engine::sensitive, output::note};
@@ -34,6 +34,13 @@ pub(super) struct EngineFlags {
     record: Option<PathBuf>,
 }
 
+/// The engines that are asked for, not started yet.
+pub(super) struct Asked<'a> {
+    manifest: &'a Path,
+    entries: Vec<Entry>,
+    record: Option<&'a Path>,
+}
+
 /// The engines of a run, started.
 pub(super) struct Engines {
     pub fleet: Fleet,
@@ -49,18 +56,13 @@ struct Record {
 }
 
 impl EngineFlags {
-    /// Whether there are any.
-    pub fn are_given(&self) -> bool {
-        self.engines.is_some()
-    }
-
-    /// Starts the engines; none if they broke, which is told.
+    /// The engines that are asked for.
     ///
     /// # Errors
-    /// When the manifest has something wrong in it, an engine has the name of an oracle, or the record can't be written.
-    pub fn start(&self) -> anyhow::Result<Option<Engines>> {
+    /// When the manifest has something wrong in it, or an engine has the name of an oracle.
+    pub fn read(&self) -> anyhow::Result<Asked<'_>> {
         let Some(path) = &self.engines else {
-            return Ok(Some(Engines { fleet: Fleet::default(), manifest: PathBuf::new(), record: None }));
+            return Ok(Asked { manifest: Path::new(""), entries: Vec::new(), record: None });
         };
         let manifest = Manifest::read(path)?;
         let entries: Vec<Entry> = match &self.only {
@@ -73,10 +75,34 @@ impl EngineFlags {
                 bail!("{}: name: {name:?} is the name of an oracle (see `chattercheck oracles`)", path.display());
             }
         }
-        let record = self.record.as_deref().map(Record::new).transpose()?;
+        Ok(Asked { manifest: path, entries, record: self.record.as_deref() })
+    }
+}
+
+impl Asked<'_> {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The oracles that are asked beside them unless others are named: the engine is what is in question, so one for each of their models that steps fastest
+    /// and to nearly all digits. The linear one is always there: the conditioning of the cases comes from it.
+    pub fn panel(&self) -> Panel {
+        let is_of_engine = |model: Model| self.entries.iter().any(|entry| entry.launch.model == model);
+        let mut panel = panel::with_role(Role::Stepper);
+        panel.retain(|oracle| oracle.model() == Model::Linear || is_of_engine(oracle.model()));
+        panel
+    }
+
+    /// Starts the engines; none if they broke, which is told.
+    ///
+    /// # Errors
+    /// When the record can't be written.
+    pub fn start(self) -> anyhow::Result<Option<Engines>> {
+        let record = self.record.map(Record::new).transpose()?;
         let keeper = record.as_ref().map_or_else(Keeper::default, |record| Keeper::of(&record.recording));
-        match Fleet::start(&entries, sensitive, &keeper) {
-            Ok(fleet) => Ok(Some(Engines { fleet, manifest: path.clone(), record })),
+        match Fleet::start(&self.entries, sensitive, &keeper) {
+            Ok(fleet) => Ok(Some(Engines { fleet, manifest: self.manifest.to_owned(), record })),
             Err(broke) => {
                 for (name, broke) in broke {
                     note(format_args!("chattercheck: {name}: {broke}"));

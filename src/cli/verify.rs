@@ -14,7 +14,7 @@ use chattercheck::{
         shrink::{shrink, unshrunk},
         verdict::Verdict,
     },
-    panel::{self, Role},
+    panel,
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
@@ -66,11 +66,11 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
+    let engines = arguments.engines.read()?;
     let panel = match &arguments.oracles {
         Some(list) => panel::select(list)?,
-        // The engine is what is in question: what steps fastest and to nearly all digits is asked beside it, and the judge.
-        None if arguments.engines.are_given() => panel::with_role(Role::Stepper),
-        None => panel::default(),
+        None if engines.is_empty() => panel::default(),
+        None => engines.panel(),
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let seed = arguments.seed.value()?;
@@ -86,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
     }
     let replays = arguments.replays()?;
-    let Some(engines) = arguments.engines.start()? else { return Ok(Status::Failed) };
+    let Some(engines) = engines.start()? else { return Ok(Status::Failed) };
     let all = engines.beside(&panel);
     if all.len() < 2 {
         let wanted = arguments.oracles.as_deref().unwrap_or_default();

@@ -4,14 +4,12 @@
 % over that which starts the rocking, r = sqrt(a^2 - 1). At an impact, phi = 0, the velocity is multiplied by eta. Replace what is yours.
 1;
 
-% cosh or sinh (sign = 1), cos or sin (sign = -1) from the power x^n on, divided by x^n: 1/n! + sign x^2/(n+2)! + ...
-function total = series (n, x, sign)
-  term = total = 1 / factorial (n);
-  while abs (term) > 1e-17 * abs (total)
-    n += 2;
-    term *= sign * x * x / (n * (n - 1));
-    total += term;
-  end
+% For n = 0 to 4: cosh or sinh (sign = 1), cos or sin (sign = -1) from the power x^n on, divided by x^n: 1/n! + sign x^2/(n+2)! + ...
+% All terms at once, as loops are slow; there are enough of them for x up to 50.
+function totals = series (x, sign)
+  persistent k = (0:83)';
+  persistent factorials = factorial ((0:4) + 2 * (0:83)');
+  totals = sum ((sign * x * x) .^ k ./ factorials);
 end
 
 % side + f; 1 - cos is written as 2 sin^2, so that nothing is lost next to the start.
@@ -26,10 +24,8 @@ end
 % phi/s and phi' a time s after the impact. No term is the small difference of large ones, so that short flights are as right as long ones.
 function [phi, speed] = flight (s, side, v, omega, r, phase)
   g = pull (side, r, phase);
-  for n = 0:4
-    h(n + 1) = series (n, s, 1);
-    b(n + 1) = h(n + 1) + omega ^ 2 * series (n, omega * s, -1);
-  end
+  h = series (s, 1);
+  b = h + omega ^ 2 * series (omega * s, -1);
   f = (cos (phase) + r * sin (phase)) * s ^ 3 * omega ^ 2 / (1 + omega ^ 2);
   slope = (r * cos (phase) - sin (phase)) * s ^ 2 * omega / (1 + omega ^ 2);
   phi = v * h(2) - g * s * h(3) + f * b(5) - slope * b(4);
@@ -38,6 +34,8 @@ end
 
 % The first root of phi up to the time stop, or [], and phi' there: a scan for the change of sign, then Newton's method kept inside of the bracket.
 function [s, speed] = landing (stop, side, v, omega, r, phase)
+  % A block that has not come back after so long, exp (50), never will.
+  stop = min (stop, 50);
   g = pull (side, r, phase);
   step = stop / 64;
   if v * g > 0
