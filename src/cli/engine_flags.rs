@@ -12,7 +12,8 @@ use chattercheck::{
         Entry, Fleet, Manifest,
         record::{Keeper, Recording},
     },
-    gate::roles::Roles,
+    faults::explain::explain,
+    gate::{explanation::Explanation, guests::Guests, known::Known, roles::Roles, tally::Tally},
     panel::{self, Panel, Role},
 };
 use clap::Args;
@@ -133,6 +134,19 @@ impl Engines {
             None => panel::shown_by(oracle, flags),
         };
         then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
+    }
+
+    /// Hands `then` who the engines are, and what is known to fail with them.
+    pub fn with_guests<T>(&self, known: &[Known], then: impl FnOnce(&Guests<'_>) -> T) -> T {
+        let is_guest = |oracle: &str| self.fleet.engine(oracle).is_some();
+        then(&Guests { is_guest: &is_guest, known, ..Guests::default() })
+    }
+
+    /// What mistakes would explain the wrong answers of the engine of this name, of those that were kept; `None` if there is none.
+    pub fn explain(&self, name: &str, tally: &Tally) -> Option<Vec<Explanation>> {
+        let model = self.fleet.engine(name)?.entry.launch.model;
+        let samples = tally.samples(name).filter(|samples| samples.has_wrong())?;
+        Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
     }
 
     /// The flag that names the manifest, for commands that are shown.

@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let cases = [Named::parse(&replay.found_in, case)];
     let run = run::run(&panel, &judges, &cases, replay.seed, None, &());
     let described = engines.fleet.engines.iter().map(Started::described).collect();
-    let report = engines.with_roles(|roles| Report::new(&run, roles)).with_engines(described);
+    let report = engines.with_roles(|roles| Report::new(&run, roles)).with_engines(described, &run.tally);
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));

@@ -101,12 +101,18 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let watch = Watch::start(cases.len() + responses.len(), arguments.quiet);
     let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
     // The ladders are a test of the panel itself.
-    let run = run::run(&all, &judges, &cases, seed, ladders, &watch).excused(&engines.fleet.known(), &cases);
+    let known = engines.fleet.known();
+    let run = engines.with_guests(&known, |guests| {
+        run::with_guests(&all, guests, &judges, &cases, seed, ladders, &watch).excused(&known, &cases)
+    });
     let (of_responses, wrong_responses) = responses.run(&watch);
     watch.end();
     let described = engines.fleet.engines.iter().map(Started::described).collect();
     let report = engines.with_roles(|roles| Report::new(&run, roles));
-    let report = report.with_engines(described).with_responses(of_responses);
+    let report = report.with_engines(described, &run.tally).with_responses(of_responses);
+    // Who has to stop has no time for it.
+    let report =
+        if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
     // First what was found: shrinking may take a while.
     let status = match report.verdict {
         Verdict::Pass => Status::Well,

@@ -20,8 +20,8 @@ const PRECISION: f64 = 1.1;
 pub struct Row {
     /// The fault's name.
     pub fault: &'static str,
-    /// What goes wrong in a simulator that has it.
-    pub what: &'static str,
+    /// The mistake that a simulator with it makes, in words that go on after "as if".
+    pub as_if: &'static str,
     /// The oracle that it was planted in.
     pub oracle: String,
     /// What its size measures.
@@ -91,8 +91,8 @@ fn row(trial: &Trial, fault: &Fault) -> Result<Row, Invalid> {
             },
         ),
     };
-    let Fault { name, what, oracle, .. } = fault.clone();
-    Ok(Row { fault: name, what, oracle, size, natural, smallest, caught_by: evidence.map(|evidence| evidence.by) })
+    let Fault { name, as_if, oracle, .. } = fault.clone();
+    Ok(Row { fault: name, as_if, oracle, size, natural, smallest, caught_by: evidence.map(|evidence| evidence.by) })
 }
 
 /// Down from the natural size by powers of ten until the gate is green, and then between the last two.

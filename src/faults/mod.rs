@@ -24,8 +24,8 @@ use plant::Plant;
 pub struct Fault {
     /// A short name.
     pub name: &'static str,
-    /// What goes wrong in a simulator that has it, in a sentence.
-    pub what: &'static str,
+    /// The mistake that a simulator with it makes, in words that go on after "as if".
+    pub as_if: &'static str,
     /// The name of the oracle that it sits in.
     pub oracle: String,
     /// How large it is.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use contract::Ending;
 use serde::{Deserialize, Serialize};
 
 use crate::{cases::generate::Named, gate::compare::Figure};
@@ -55,4 +56,17 @@ pub(super) fn wider(one: Option<(f64, f64)>, two: Option<(f64, f64)>) -> Option<
         (Some((low, high)), Some((lower, higher))) => Some((low.min(lower), high.max(higher))),
         _ => one.or(two),
     }
+}
+
+/// A short name for an ending, for counting.
+pub(super) fn ending_name(ending: Ending) -> String {
+    match ending {
+        Ending::NeverRocks => "never-rocks",
+        Ending::AtRest => "at-rest",
+        Ending::Incomplete => "incomplete",
+        Ending::Overturned => "overturned",
+        Ending::LimitReached(_) => "limit-reached",
+        Ending::Lost(_) => "lost",
+    }
+    .to_owned()
 }

@@ -2,7 +2,9 @@
 //!
 //! It says which oracle is wrong where two disagree, and how what each oracle claims compares with its true error.
 
-use contract::{Case, Oracle};
+use std::sync::Arc;
+
+use contract::{Case, Model, Oracle};
 
 use crate::{
     cases::generate::{Generator, Named},
@@ -37,6 +39,8 @@ pub struct Judgement {
     pub refuted: Option<Disagreement>,
     /// What it claims in multiples of its true error.
     pub calibration: Calibration,
+    /// What the judge proved.
+    pub proven: Arc<Observed>,
 }
 
 impl Judges<'_> {
@@ -48,16 +52,21 @@ impl Judges<'_> {
     /// Judges the answers to a case at the places that are `wanted`.
     pub fn judge(&self, case: &Case, answers: &[Answer], wanted: impl Fn(usize) -> bool) -> Vec<Judgement> {
         let needed = |judge: &&&dyn Oracle| answers.iter().any(|answer| answer.model == judge.model());
-        let judges: Vec<Answer> = self.oracles.iter().filter(needed).map(|judge| ask(*judge, case)).collect();
+        let prove = |judge: &&dyn Oracle| {
+            let proven = ask(*judge, case).into_observed()?;
+            Some((judge.name().to_owned(), judge.model(), Arc::new(proven)))
+        };
+        let judges: Vec<(String, Model, Arc<Observed>)> =
+            self.oracles.iter().filter(needed).filter_map(prove).collect();
         let judged = answers.iter().enumerate().filter(|(place, _)| wanted(*place)).filter_map(|(place, answer)| {
-            let judge = judges.iter().find(|judge| judge.model == answer.model)?;
-            Some(judgement(place, case, judge.observed()?, judge.oracle.clone(), answer.observed()?))
+            let (judge, _, proven) = judges.iter().find(|(_, model, _)| *model == answer.model)?;
+            Some(judgement(place, case, proven, judge.clone(), answer.observed()?))
         });
         judged.collect()
     }
 }
 
-fn judgement(place: usize, case: &Case, truth: &Observed, judge: String, answer: &Observed) -> Judgement {
+fn judgement(place: usize, case: &Case, truth: &Arc<Observed>, judge: String, answer: &Observed) -> Judgement {
     // Claims stand for themselves here: no slack of any kind.
     let slack = Slack { conditioning: &Conditioning::default(), gap: None };
     let comparison = compare(case, truth, answer, slack);
@@ -78,7 +87,7 @@ fn judgement(place: usize, case: &Case, truth: &Observed, judge: String, answer:
         Agreement::Disagree(disagreement) => Some(disagreement),
         Agreement::Agree | Agreement::TooClose => None,
     };
-    Judgement { place, judge, refuted, calibration }
+    Judgement { place, judge, refuted, calibration, proven: Arc::clone(truth) }
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use crate::{
     gate::{
         examine::examine_and_judge,
         failure::Failure,
+        guests::Guests,
         identity::Identity,
         judge::Judges,
         known::{Known, KnownFailure},
@@ -82,6 +83,19 @@ pub fn run(
     ladders: Option<Vec<Descent>>,
     progress: &impl Progress,
 ) -> Run {
+    with_guests(panel, &Guests::default(), judges, cases, seed, ladders, progress)
+}
+
+/// The same with guests in the panel.
+pub fn with_guests(
+    panel: &[&dyn Oracle],
+    guests: &Guests,
+    judges: &Judges,
+    cases: &[Named],
+    seed: u64,
+    ladders: Option<Vec<Descent>>,
+    progress: &impl Progress,
+) -> Run {
     let examine = |(place, named): (usize, &Named)| {
         if progress.is_interrupted() {
             return None;
@@ -89,24 +103,28 @@ pub fn run(
         let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
         let failure = Failure::of(named, &examination);
         progress.done(failure.is_some());
-        Some((Tally::of(named, &examination), failure))
+        Some((Tally::of(named, &examination).with_guests(named, &examination, guests), failure))
     };
-    let mut results: Vec<Option<(Tally, Option<Failure>)>> = Vec::with_capacity(cases.len());
+    let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
+    let mut tally = Tally::expecting(asked);
+    let (mut failures, mut left_out) = (Vec::new(), Vec::new());
+    // What came out of a case is kept no longer than those beside it are run.
     for (part, next) in cases.chunks(AHEAD).enumerate() {
         if !progress.is_interrupted() {
             let next: Vec<Case> = next.iter().map(|named| named.case).collect();
             panel.par_iter().for_each(|oracle| oracle.prepare(&next));
         }
-        results.par_extend(next.par_iter().enumerate().map(|(place, named)| examine((part * AHEAD + place, named))));
-    }
-    let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
-    let mut tally = Tally::expecting(asked);
-    let mut failures = Vec::new();
-    let left_out = cases.iter().zip(&results).filter(|(_, result)| result.is_none());
-    let left_out = left_out.map(|(named, _)| named.to_string()).collect();
-    for (of_case, failure) in results.into_iter().flatten() {
-        tally.add(of_case);
-        failures.extend(failure);
+        let places = next.par_iter().enumerate().map(|(place, named)| (part * AHEAD + place, named));
+        let results: Vec<Option<(Tally, Option<Failure>)>> = places.map(examine).collect();
+        for (named, result) in next.iter().zip(results) {
+            match result {
+                Some((of_case, failure)) => {
+                    tally.add(of_case);
+                    failures.extend(failure);
+                }
+                None => left_out.push(named.to_string()),
+            }
+        }
     }
     let oracles = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
     Run { left_out, ..Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures) }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use contract::Ending;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -10,11 +9,15 @@ use crate::{
     gate::{
         calibration::Calibration,
         compare::Agreement,
-        counting::{WorstFigure, add_counts, keep_worst, smaller, wider},
+        counting::{WorstFigure, add_counts, ending_name, keep_worst, smaller, wider},
         examine::{Examination, Pairing},
         expected::Met,
+        finding::Finding,
+        guests::Guests,
         identity::Identity,
         pair::Pair,
+        profile::Profile,
+        samples::Samples,
     },
 };
 
@@ -32,6 +35,8 @@ pub struct Tally {
     pub(super) claims: BTreeMap<String, Calibration>,
     pub(super) examined: Identity,
     pub(super) known: BTreeMap<usize, Met>,
+    pub(super) profiles: BTreeMap<String, Profile>,
+    pub(super) samples: BTreeMap<String, Samples>,
 }
 
 /// What a run exercised.
@@ -122,6 +127,33 @@ impl Tally {
         tally
     }
 
+    /// The same with the profiles of the guests, and samples of what they answer.
+    #[must_use]
+    pub fn with_guests(mut self, named: &Named, examination: &Examination, guests: &Guests) -> Self {
+        for (place, answer) in examination.answers.iter().enumerate() {
+            let Some(observed) = answer.observed().filter(|_| (guests.is_guest)(&answer.oracle)) else { continue };
+            let findings = guests.against(examination, place);
+            if findings.is_empty() {
+                (guests.was_right)(&answer.oracle, &named.case);
+            }
+            if let Some(profile) = Profile::of(named, examination, place, &findings, guests) {
+                self.profiles.insert(answer.oracle.clone(), profile);
+            }
+            let is_known = |finding: &Finding| guests.known.iter().any(|known| known.excuses(&named.case, finding));
+            // What is known to be wrong says nothing about what else is.
+            if findings.is_empty() || !findings.iter().all(is_known) {
+                let samples = Samples::of(named, &observed.history, !findings.is_empty());
+                self.samples.insert(answer.oracle.clone(), samples);
+            }
+        }
+        self
+    }
+
+    /// Some of what a guest answered.
+    pub fn samples(&self, guest: &str) -> Option<&Samples> {
+        self.samples.get(guest)
+    }
+
     /// Of how many cases every history was judged.
     pub fn judged(&self) -> usize {
         self.judged
@@ -157,21 +189,14 @@ impl Tally {
         for (entry, met) in other.known {
             self.known.entry(entry).or_default().add(met);
         }
+        for (guest, profile) in other.profiles {
+            self.profiles.entry(guest).or_default().add(profile);
+        }
+        for (guest, samples) in other.samples {
+            self.samples.entry(guest).or_default().add(samples);
+        }
         for (places, pair) in other.pairs {
             self.pairs.entry(places).or_default().add(pair);
         }
     }
-}
-
-/// A short name for an ending, for counting.
-fn ending_name(ending: Ending) -> String {
-    match ending {
-        Ending::NeverRocks => "never-rocks",
-        Ending::AtRest => "at-rest",
-        Ending::Incomplete => "incomplete",
-        Ending::Overturned => "overturned",
-        Ending::LimitReached(_) => "limit-reached",
-        Ending::Lost(_) => "lost",
-    }
-    .to_owned()
 }

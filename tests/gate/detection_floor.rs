@@ -32,7 +32,7 @@ fn without_a_mistake_the_steppers_pass() {
     let trial = trial();
     let honest = |oracle: &str, plant: Plant| {
         let oracle = oracle.to_owned();
-        Fault { name: "none", what: "", oracle, size: Size::Whole, plant }
+        Fault { name: "none", as_if: "", oracle, size: Size::Whole, plant }
     };
     for fault in [
         honest("closed-form", Plant::Stepper(|_| Wrong::default())),

@@ -5,14 +5,8 @@ use std::sync::LazyLock;
 
 use chattercheck::{
     cases::generate::{Generator, Named},
-    faults::{
-        Fault, Size,
-        catalogue::catalogue,
-        explain::{Explanation, Sample, explain},
-        plant::Planted,
-        remember::Remembering,
-    },
-    gate::{examine::examine_and_judge, judge::Judges},
+    faults::{Fault, Size, catalogue::catalogue, explain::explain, plant::Planted, remember::Remembering},
+    gate::{examine::examine_and_judge, explanation::Explanation, judge::Judges, samples::Sample},
     panel,
 };
 use contract::{History, Model, Oracle};

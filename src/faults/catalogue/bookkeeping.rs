@@ -14,7 +14,7 @@ pub(super) fn all() -> Vec<Fault> {
     vec![
         amount(
             "clock in single precision",
-            "Times are added up with few digits",
+            "times were added up in single precision",
             ROUNDING,
             SINGLE,
             Answer(|_, size, history| {
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "intervals as differences of times",
-            "An interval is what two rounded times differ by",
+            "intervals were the differences of rounded times",
             ROUNDING,
             DOUBLE,
             Answer(|_, size, history| {
@@ -39,7 +39,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "late clock",
-            "All times count from a step later",
+            "all times were counted from a step too early or too late",
             "delay in tau",
             1e-3,
             Answer(|_, size, history| {
@@ -48,7 +48,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "clock that slips",
-            "From impact 30 on the time is off",
+            "the clock slipped at impact 30",
             "slip in tau",
             1e-9,
             Answer(|_, size, history| {
@@ -57,7 +57,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "velocities in single precision",
-            "The listed velocity has few digits",
+            "velocities were listed in single precision",
             "unit round-off of the velocity",
             SINGLE,
             Answer(|_, size, history| {
@@ -66,7 +66,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         whole(
             "times in periods",
-            "Times are divided by the period of the shaking",
+            "times were counted in periods of the shaking",
             Answer(|case, _, history| {
                 let period = std::f64::consts::TAU / case.omega();
                 rescale(history, 1.0 / period);

@@ -19,32 +19,32 @@ pub(super) fn all() -> Vec<Fault> {
     let all = vec![
         amount(
             "claims too small",
-            "The error is claimed to be less than it is",
+            "errors were claimed to be smaller than they are",
             "what the claims are divided by",
             1e4,
             Answer(|_, size, history| scale(history, 1.0 / size.max(1.0))),
         ),
         amount(
             "claims too wide",
-            "The error is claimed to be far more than it is",
+            "errors were claimed to be far larger than they are",
             "what the claims are multiplied by",
             1e12,
             Answer(|_, size, history| scale(history, size.max(1.0))),
         ),
         whole(
             "claims of nothing",
-            "Every error is claimed to be infinite",
+            "every error were claimed to be infinite",
             Answer(|_, _, history| scale(history, f64::INFINITY)),
         ),
         whole(
             "claims that are not numbers",
-            "Every error is claimed to be NaN",
+            "every error were claimed to be NaN",
             Answer(|_, _, history| scale(history, f64::NAN)),
         ),
-        whole("negative claims", "The claims have the wrong sign", Answer(|_, _, history| scale(history, -1.0))),
+        whole("negative claims", "the claims had the wrong sign", Answer(|_, _, history| scale(history, -1.0))),
         whole(
             "a velocity that claims nothing",
-            "Only the claim for the velocity is infinite, and the velocity is wrong",
+            "the velocity were wrong, and its claim infinite",
             Answer(|_, _, history| {
                 for impact in &mut history.impacts {
                     impact.velocity *= 1.5;
@@ -54,7 +54,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         whole(
             "a chattering time that claims nothing",
-            "A wrong chattering time comes with an infinite claim",
+            "the chattering time were wrong, and its claim infinite",
             Answer(|_, _, history| {
                 history.chattering_time = Some(Estimate { value: 42.0, uncertainty: f64::INFINITY });
             }),

@@ -13,7 +13,7 @@ fn thresholds() -> Vec<Fault> {
     vec![
         amount(
             "velocity threshold",
-            "Rest is declared below a velocity (VelTol, Fig. 8b; 5e-10 in Figs 10 and 11)",
+            "rest were declared below a velocity, as VelTol does (Fig. 8b)",
             "velocity phi'",
             5e-10,
             Answer(|_, size, history| {
@@ -25,7 +25,7 @@ fn thresholds() -> Vec<Fault> {
         ),
         amount(
             "interval threshold",
-            "Rest is declared below an interval",
+            "rest were declared below an interval",
             "interval in tau",
             1e-8,
             Answer(|_, size, history| {
@@ -42,7 +42,7 @@ fn verdicts() -> Vec<Fault> {
     vec![
         whole(
             "incomplete called complete",
-            "Rest is declared at T/2",
+            "a block that still rocks at half a period were said to be at rest",
             Answer(|_, _, history| {
                 if history.ending == Ending::Incomplete {
                     history.ending = Ending::AtRest;
@@ -51,7 +51,7 @@ fn verdicts() -> Vec<Fault> {
         ),
         whole(
             "complete called incomplete",
-            "The block is said to rock on",
+            "a block that comes to rest were said to rock on",
             Answer(|_, _, history| {
                 if history.ending == Ending::AtRest {
                     history.ending = Ending::Incomplete;
@@ -60,7 +60,7 @@ fn verdicts() -> Vec<Fault> {
         ),
         whole(
             "never at rest",
-            "The list of a complete case just ends",
+            "the list of a block that comes to rest just ended",
             Answer(|_, _, history| {
                 if history.ending == Ending::AtRest {
                     history.ending = Ending::LimitReached(Limit::Impacts);
@@ -69,7 +69,7 @@ fn verdicts() -> Vec<Fault> {
         ),
         whole(
             "rest below the threshold missed",
-            "A block that does not rock is said to come to rest",
+            "a block that never rocks were said to come to rest",
             Answer(|_, _, history| {
                 if history.ending == Ending::NeverRocks {
                     history.ending = Ending::AtRest;
@@ -78,7 +78,7 @@ fn verdicts() -> Vec<Fault> {
         ),
         whole(
             "incomplete called overturned",
-            "The block is given up at T/2",
+            "a block that still rocks at half a period were said to overturn",
             Answer(|_, _, history| {
                 if history.ending == Ending::Incomplete {
                     history.ending = Ending::Overturned;
@@ -87,7 +87,7 @@ fn verdicts() -> Vec<Fault> {
         ),
         whole(
             "lost, and says so",
-            "The sequence is lost after impact 30",
+            "the sequence were lost after impact 30",
             Answer(|_, _, history| {
                 if history.impacts.len() > 30 {
                     history.impacts.truncate(30);
@@ -102,14 +102,14 @@ fn lengths() -> Vec<Fault> {
     vec![
         whole(
             "one impact too few",
-            "The list ends one impact early",
+            "the list ended one impact early",
             Answer(|_, _, history| {
                 history.impacts.pop();
             }),
         ),
         whole(
             "one impact too many",
-            "The list is one longer than asked for",
+            "the list were one impact longer than asked for",
             Answer(|case, _, history| {
                 if let Some(last) =
                     history.impacts.last().copied().filter(|_| history.impacts.len() == case.max_impacts())
@@ -125,7 +125,7 @@ fn lengths() -> Vec<Fault> {
                 }
             }),
         ),
-        whole("refuses a fifth", "Cases with eta above 0.93 are declined", Refusal(|case| case.eta() > 0.93)),
-        whole("refuses everything", "Every case is declined", Refusal(|_| true)),
+        whole("refuses a fifth", "cases with eta above 0.93 were refused", Refusal(|case| case.eta() > 0.93)),
+        whole("refuses everything", "every case were refused", Refusal(|_| true)),
     ]
 }

@@ -8,15 +8,19 @@ use crate::faults::plant::Plant::Answer;
 /// What has to be seen in every oracle.
 pub(super) fn everywhere(oracle: &str) -> Vec<Fault> {
     let all = [
-        at_depth("missed impact", "The block falls through its base and lands at the next impact", Answer(missed)),
+        at_depth(
+            "missed impact",
+            "one impact were missed, the block falling through its base and landing at the next",
+            Answer(missed),
+        ),
         at_depth(
             "missed impact, hidden",
-            "The same, with the later velocities turned to the signs that they should have",
+            "one impact were missed, and the velocities after it had the signs that they should have all the same",
             Answer(missed_hidden),
         ),
         at_depth(
             "missed pair of impacts",
-            "The first root is skipped for a later one on the same side",
+            "two impacts in a row were missed, a later root being found in place of the first",
             Answer(missed_pair),
         ),
     ];
@@ -25,14 +29,18 @@ pub(super) fn everywhere(oracle: &str) -> Vec<Fault> {
 
 pub(super) fn all() -> Vec<Fault> {
     vec![
-        between("extra impact", "The start of a flight is found as an impact again", Answer(extra)),
-        between("grazing impact counted", "A flight that nearly touches is cut in two", Answer(grazing)),
-        between("impact repeated", "An event is handed over twice", Answer(repeated)),
-        between("impacts out of order", "Two events in one step are handed over the wrong way round", Answer(swapped)),
-        at_depth("sign not turned", "The velocity keeps its sign at one impact", Answer(turned)),
+        between("extra impact", "the start of a flight were found as an impact once more", Answer(extra)),
+        between(
+            "grazing impact counted",
+            "one flight were cut in two by an impact that does not happen",
+            Answer(grazing),
+        ),
+        between("impact repeated", "one impact were listed twice", Answer(repeated)),
+        between("impacts out of order", "two impacts were listed the wrong way round", Answer(swapped)),
+        at_depth("sign not turned", "the velocity kept its sign at one impact", Answer(turned)),
         at_depth(
             "not a number",
-            "A root comes out as NaN",
+            "one interval were not a number",
             Answer(|_, size, history| {
                 if let Some(impact) = at(history, size) {
                     impact.interval = f64::NAN;
@@ -41,14 +49,14 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         whole(
             "side never turned",
-            "i is not flipped, so all velocities have one sign",
+            "the side were never turned, all velocities having one sign",
             Answer(|_, _, history| {
                 history.impacts.iter_mut().for_each(|impact| impact.velocity = impact.velocity.abs());
             }),
         ),
         whole(
             "initiation as an impact",
-            "The start from rest is listed as impact 1",
+            "the start from rest were listed as impact 1",
             Answer(|case, _, history| {
                 if let Some(first) = history.impacts.first().copied() {
                     history.impacts.insert(
@@ -67,7 +75,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "velocity before restitution",
-            "The list shows the speed before the impact",
+            "the velocities listed were those just before the impacts, without eta",
             "share missing of the exponent of eta",
             1.0,
             Answer(|case, size, history| {

@@ -44,21 +44,21 @@ pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Fau
     faults
 }
 
-fn amount(name: &'static str, what: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Fault {
-    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Amount { meaning, natural }, plant }
+fn amount(name: &'static str, as_if: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Fault {
+    Fault { name, as_if, oracle: STEPPER.to_owned(), size: Size::Amount { meaning, natural }, plant }
 }
 
-fn at_depth(name: &'static str, what: &'static str, plant: Plant) -> Fault {
-    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Depth(0), plant }
+fn at_depth(name: &'static str, as_if: &'static str, plant: Plant) -> Fault {
+    Fault { name, as_if, oracle: STEPPER.to_owned(), size: Size::Depth(0), plant }
 }
 
 /// A fault that is only one if another impact follows.
-fn between(name: &'static str, what: &'static str, plant: Plant) -> Fault {
-    Fault { size: Size::Depth(1), ..at_depth(name, what, plant) }
+fn between(name: &'static str, as_if: &'static str, plant: Plant) -> Fault {
+    Fault { size: Size::Depth(1), ..at_depth(name, as_if, plant) }
 }
 
-fn whole(name: &'static str, what: &'static str, plant: Plant) -> Fault {
-    Fault { name, what, oracle: STEPPER.to_owned(), size: Size::Whole, plant }
+fn whole(name: &'static str, as_if: &'static str, plant: Plant) -> Fault {
+    Fault { name, as_if, oracle: STEPPER.to_owned(), size: Size::Whole, plant }
 }
 
 /// The same fault in another oracle.

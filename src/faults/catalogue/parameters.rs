@@ -18,20 +18,26 @@ pub(super) fn everywhere(oracle: &str) -> Vec<Fault> {
     let all = [
         amount(
             "eta is off",
-            "The coefficient of restitution is rounded or mistyped",
+            "the coefficient of restitution were rounded or mistyped",
             RELATIVE,
             1e-3,
             Plant::Question(eta_off),
         ),
-        amount("omega is off", "The frequency is rounded or mistyped", RELATIVE, 1e-3, Plant::Question(omega_off)),
+        amount(
+            "omega is off",
+            "the frequency of the shaking were rounded or mistyped",
+            RELATIVE,
+            1e-3,
+            Plant::Question(omega_off),
+        ),
         amount(
             "a is off, not near the threshold",
-            "The amplitude is rounded or mistyped; only cases with a - 1 > 1e-3 are tampered with",
+            "the amplitude were rounded or mistyped, in the cases with a - 1 > 1e-3 only",
             RELATIVE,
             1e-3,
             Plant::Question(amplitude_off_where_strong),
         ),
-        amount("a is off", "The amplitude is rounded or mistyped", RELATIVE, 1e-3, Plant::Question(amplitude_off)),
+        amount("a is off", "the amplitude were rounded or mistyped", RELATIVE, 1e-3, Plant::Question(amplitude_off)),
     ];
     all.into_iter().map(|fault| within(oracle, fault)).collect()
 }
@@ -56,21 +62,21 @@ pub(super) fn all() -> Vec<Fault> {
     vec![
         amount(
             "restitution twice",
-            "The coefficient of restitution is applied twice at each impact",
+            "restitution were applied twice at each impact, eta^2 in place of eta",
             "excess of its exponent",
             1.0,
             Plant::Question(|case, size| with(case, case.epsilon(), case.omega(), case.eta().powf(1.0 + size))),
         ),
         amount(
             "restitution of energy",
-            "The coefficient is taken for a ratio of energies: its root is applied",
+            "eta were a ratio of energies, its square root being applied to the velocity",
             "share missing of its exponent",
             0.5,
             Plant::Question(|case, size| with(case, case.epsilon(), case.omega(), case.eta().powf(1.0 - size))),
         ),
         amount(
             "hardly any restitution",
-            "Impacts lose next to no energy",
+            "impacts took next to nothing of the velocity, with eta nearly 1",
             "share of 1 - eta that is missing",
             0.999,
             Plant::Question(|case, size| {
@@ -79,7 +85,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "frequency in hertz",
-            "omega is multiplied by 2 pi once more",
+            "the frequency were multiplied by 2 pi once too often, omega being an angular frequency already",
             "excess of the factor 2 pi, as an exponent",
             1.0,
             Plant::Question(|case, size| {
@@ -88,14 +94,14 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "a for a - 1",
-            "The amplitude is put where its distance to the threshold belongs",
+            "the amplitude a stood where a - 1, its distance from the threshold, belongs",
             "share of the 1 that is not subtracted",
             1.0,
             Plant::Question(|case, size| with(case, case.epsilon() + size, case.omega(), case.eta())),
         ),
         amount(
             "a in single precision",
-            "a - 1 is computed from an amplitude with few digits",
+            "a - 1 were computed from an amplitude in single precision",
             "unit round-off of a",
             f64::from(f32::EPSILON) / 2.0,
             Plant::Question(|case, size| {

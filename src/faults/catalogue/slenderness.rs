@@ -23,7 +23,7 @@ pub(super) fn all() -> Vec<Fault> {
     let all = vec![
         whole(
             "swapped normalisation",
-            "The amplitude is taken over g alpha in place of g tan(alpha)",
+            "the amplitude were measured in g alpha in place of g tan(alpha)",
             Question(|case, _| match case.slenderness() {
                 Some(slenderness) => {
                     Ok(case.with_slenderness(Slenderness::new(slenderness.alpha(), Normalisation::Slender)?))
@@ -33,21 +33,21 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "alpha is off",
-            "The slenderness angle is rounded or mistyped",
+            "the slenderness angle were rounded or mistyped",
             "relative error",
             1e-3,
             Question(|case, size| angle(case, |alpha| alpha * (1.0 + size))),
         ),
         amount(
             "tan(alpha) for alpha",
-            "The ratio of the sides is taken for the angle",
+            "alpha were the ratio of the sides, tan(alpha), and not the angle",
             "share of the difference",
             1.0,
             Question(|case, size| angle(case, |alpha| alpha + size * (alpha.tan() - alpha))),
         ),
         amount(
             "sin(alpha) for tan(alpha)",
-            "The cosine that multiplies the ground acceleration in Eq. 2 is dropped at the base",
+            "sin(alpha) stood where tan(alpha) belongs, the ground acceleration of Eq. 2 having lost its cosine at the base",
             "share of the difference, as an exponent of cos(alpha)",
             1.0,
             Question(|case, size| {
@@ -57,7 +57,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "velocity without sin(alpha)/alpha",
-            "The velocity is given as if the model were linear",
+            "velocities lacked the factor sin(alpha)/alpha, as in the linear model",
             "share of the factor, as an exponent",
             1.0,
             Answer(|case, size, history| {
@@ -68,7 +68,7 @@ pub(super) fn all() -> Vec<Fault> {
     ];
     let ladder = Fault {
         name: "alpha is off where it is small",
-        what: "Within the gap between the models, but it does not fall as alpha^2",
+        as_if: "the slenderness angle were off below 0.03 only",
         ..amount(
             "",
             "",

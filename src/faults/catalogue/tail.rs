@@ -9,7 +9,7 @@ pub(super) fn all() -> Vec<Fault> {
     vec![
         amount(
             "tail ratio eta",
-            "The tail is closed with the ratio eta^1 in place of eta^2",
+            "the infinite sum were closed with the ratio eta in place of eta^2",
             "share missing of the exponent 2",
             0.5,
             Answer(|case, size, history| {
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "no tail",
-            "The chattering time is that of the last impact listed",
+            "the chattering time were the time of the last impact listed, the rest of the infinite sum being left out",
             "share of the tail that is lost",
             1.0,
             Answer(|case, size, history| {
@@ -30,7 +30,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "tail of the wrong parity",
-            "The tail is twice that of the last interval, as if both sides flew equally long",
+            "the infinite sum were closed as if both sides flew equally long",
             "share of the difference",
             1.0,
             Answer(|case, size, history| {
@@ -40,7 +40,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         whole(
             "Eq. 75 with the claim of the higher orders",
-            "One geometric ratio, where the claim is for all of them",
+            "the infinite sum were closed by one geometric ratio (Eq. 75), which is good to fewer digits",
             Answer(|case, _, history| {
                 let right = zeno::close(history, case.eta());
                 let first = zeno::eq75(history, case.eta());
@@ -51,7 +51,7 @@ pub(super) fn all() -> Vec<Fault> {
         ),
         amount(
             "chattering time off",
-            "The sum itself is wrong",
+            "the chattering time were wrong by itself, all impacts being right",
             "relative error",
             1e-3,
             Answer(|case, size, history| {

@@ -1,8 +1,8 @@
 //! How far an answer is from what a hypothesis says that it should be.
 
-use contract::{History, Impact};
+use contract::{Ending, History, Impact};
 
-use super::Sample;
+use crate::gate::samples::Sample;
 
 /// The largest relative deviation of any interval, velocity or time, or of the chattering time; infinite where the ending, the count or a side differ, or where
 /// one of the two declines.
@@ -12,7 +12,7 @@ pub(super) fn deviation(sample: &Sample, expected: Option<&History>) -> f64 {
         (None, None) => return 0.0,
         _ => return f64::INFINITY,
     };
-    if answer.ending != expected.ending || answer.impacts.len() != expected.impacts.len() {
+    if !is_same(answer.ending, expected.ending) || answer.impacts.len() != expected.impacts.len() {
         return f64::INFINITY;
     }
     let of_impacts = answer.impacts.iter().zip(&expected.impacts).flat_map(|(one, two)| {
@@ -24,6 +24,11 @@ pub(super) fn deviation(sample: &Sample, expected: Option<&History>) -> f64 {
         _ => 0.0,
     };
     of_impacts.chain([of_rest]).fold(0.0, f64::max)
+}
+
+/// Whether two endings are the same. How a sequence was lost, no engine says.
+fn is_same(one: Ending, two: Ending) -> bool {
+    one == two || matches!((one, two), (Ending::Lost(_), Ending::Lost(_)))
 }
 
 /// The relative deviations of an impact, with their signs: of its interval, its speed and its time. Not-a-number differs infinitely from a number, and not from itself.

@@ -1,7 +1,10 @@
 //! The size of a fault that comes nearest to what an engine answered.
 
-use super::{Sample, deviation, hypothesis::Hypothesis};
-use crate::faults::{Size, plant::Plant};
+use super::{deviation, hypothesis::Hypothesis};
+use crate::{
+    faults::{Size, plant::Plant},
+    gate::samples::Sample,
+};
 
 /// So many impacts of a case are fitted to.
 const IMPACTS: usize = 12;

@@ -7,69 +7,34 @@ mod deviation;
 mod fit;
 mod hypothesis;
 
-use std::fmt;
-
-use contract::{Case, History, Model};
+use contract::Model;
 use rayon::prelude::*;
 
 use super::Size;
-use crate::panel;
+use crate::{
+    gate::{
+        explanation::{Explanation, FaultSize},
+        samples::Sample,
+    },
+    panel,
+};
 use deviation::deviation;
 use hypothesis::Hypothesis;
 
-/// What an engine answered to a case.
-#[derive(Debug, Clone)]
-pub struct Sample {
-    /// The case.
-    pub case: Case,
-    /// The answer; `None` if it declined.
-    pub answer: Option<History>,
-    /// Whether something is wrong with it.
-    pub is_wrong: bool,
+/// How far the size that fits is from that of the real mistake, as a factor.
+fn strangeness(explanation: &Explanation) -> f64 {
+    match &explanation.size {
+        Some(FaultSize { value, natural: Some(natural), .. }) if *value > 0.0 => (value / natural).ln().abs(),
+        Some(FaultSize { natural: Some(_), .. }) => f64::INFINITY,
+        _ => 0.0,
+    }
 }
 
-/// A mistake that explains what is wrong.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Explanation {
-    /// The name of the fault.
-    pub fault: &'static str,
-    /// What goes wrong in a simulator that has it, in a sentence.
-    pub what: &'static str,
-    /// What the size of the fault measures, and the size that fits best; `None` for a fault that is there or not.
-    pub size: Option<(&'static str, f64)>,
-    /// The size that the mistake would have if it were really made, where it has one.
-    pub natural: Option<f64>,
-    /// How many of the wrong cases it explains.
-    pub explained: usize,
-    /// Of how many.
-    pub of: usize,
-    /// The deviation that is left in those, relative: the middle one.
-    pub left: f64,
-    /// How many of the cases that are right it would spoil.
-    pub spoiled: usize,
-}
-
-impl Explanation {
-    /// Whether it explains so much that it can be named without doubt, if nothing else does as well.
-    pub fn is_sure(&self) -> bool {
-        10 * self.explained >= 9 * self.of && self.spoiled == 0
-    }
-
-    /// How far the size that fits is from that of the real mistake, as a factor.
-    fn strangeness(&self) -> f64 {
-        match (self.size, self.natural) {
-            (Some((_, size)), Some(natural)) if size > 0.0 => (size / natural).ln().abs(),
-            (Some(_), Some(_)) => f64::INFINITY,
-            _ => 0.0,
-        }
-    }
-
-    /// Whether two explain equally well.
-    pub fn equals(&self, other: &Self) -> bool {
-        const NOTHING: f64 = 1e-13;
-        let alike = |one: f64, two: f64| one <= 10.0 * two.max(NOTHING);
-        self.explained == other.explained && alike(self.left, other.left) && alike(other.left, self.left)
-    }
+/// Whether two explain equally well.
+fn are_equal(one: &Explanation, two: &Explanation) -> bool {
+    const NOTHING: f64 = 1e-13;
+    let alike = |one: f64, two: f64| one <= 10.0 * two.max(NOTHING);
+    one.explained == two.explained && alike(one.left, two.left) && alike(two.left, one.left)
 }
 
 /// As many wrong cases are explained, and as many right ones must not be spoiled.
@@ -102,8 +67,8 @@ pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
         worth(two).cmp(&worth(one)).then(one.left.total_cmp(&two.left))
     });
     let Some(best) = found.first().cloned() else { return found };
-    found.retain(|explanation| explanation.equals(&best) && explanation.spoiled <= best.spoiled);
-    found.sort_by(|one, two| one.strangeness().total_cmp(&two.strangeness()));
+    found.retain(|explanation| are_equal(explanation, &best) && explanation.spoiled <= best.spoiled);
+    found.sort_by(|one, two| strangeness(one).total_cmp(&strangeness(two)));
     found
 }
 
@@ -133,22 +98,23 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
     if 2 * best.1 <= wrong.len() && hypothesis.is_stepwise() {
         best = fit::scan(hypothesis.natural(), |size| scored(size).1).into_iter().map(scored).fold(best, better);
     }
-    let (size, explained, left) = best;
+    let (value, explained, left) = best;
     if 2 * explained <= wrong.len() {
         return None;
     }
-    let spoils = |(before, sample): &&(f64, &Sample)| spoils(*before, left_at(size, sample));
+    let spoils = |(before, sample): &&(f64, &Sample)| spoils(*before, left_at(value, sample));
     let fault = &hypothesis.fault;
-    let (meaning, natural) = match fault.size {
-        Size::Amount { meaning, natural } => (Some(meaning), Some(natural)),
-        Size::Depth(_) => (Some("at impact"), None),
-        Size::Whole => (None, None),
+    let size = match fault.size {
+        Size::Amount { meaning, natural } => {
+            Some(FaultSize { meaning: meaning.to_owned(), value, natural: Some(natural) })
+        }
+        Size::Depth(_) => Some(FaultSize { meaning: "at impact".to_owned(), value, natural: None }),
+        Size::Whole => None,
     };
     Some(Explanation {
-        fault: fault.name,
-        what: fault.what,
-        size: meaning.map(|meaning| (meaning, size)),
-        natural,
+        fault: fault.name.to_owned(),
+        as_if: fault.as_if.to_owned(),
+        size,
         explained,
         of: wrong.len(),
         left,
@@ -164,20 +130,4 @@ fn explains(before: f64, after: f64) -> bool {
 /// Whether a fault spoils a right answer whose deviation was `before`.
 fn spoils(before: f64, after: f64) -> bool {
     after > 1e3 * before.max(1e-12)
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "as if: {} ({}", self.what, self.fault)?;
-        match (self.size, self.natural) {
-            (Some((meaning, size)), Some(_)) if (1e-3..1e4).contains(&size.abs()) => {
-                write!(f, "; {meaning}: {size:.6}")?
-            }
-            (Some((meaning, size)), Some(_)) => write!(f, "; {meaning}: {size:.6e}")?,
-            (Some((meaning, size)), None) => write!(f, "; {meaning} {size}")?,
-            (None, _) => {}
-        }
-        write!(f, "): explains {} of {} failing cases; what is left is {:.0e}", self.explained, self.of, self.left)?;
-        if self.spoiled > 0 { write!(f, "; but it would spoil {} that are right", self.spoiled) } else { Ok(()) }
-    }
 }

@@ -83,7 +83,7 @@ fn times_are_judged_as_they_are() {
     }
     let Some(estimate) = &mut late.chattering_time else { panic!("no chattering time") };
     (estimate.value, estimate.uncertainty) = (estimate.value - 0.25, 0.75);
-    let figures = judgement(0, &case, truth, String::new(), &late).calibration.figures();
+    let figures = judgement(0, &case, &Arc::new(truth.clone()), String::new(), &late).calibration.figures();
     assert!((figures[&Observable::ImpactTime].smallest - 2.0).abs() < 1e-12);
     assert!((figures[&Observable::ChatteringTime].smallest - 3.0).abs() < 1e-12);
 }

@@ -4,8 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{FailedCase, Report};
-use crate::gate::{failure::Cause, finding::Finding, shortfall::Shortfall, verdict::Verdict};
+use super::{FailedCase, Report, profiles};
+use crate::gate::{
+    explanation::Explanation, failure::Cause, finding::Finding, profile::Profile, shortfall::Shortfall, tally::Tally,
+    verdict::Verdict,
+};
 
 /// An engine, as it is known before it is asked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -53,12 +56,19 @@ pub struct EngineReport {
     pub wrong: usize,
     /// Its own verdict.
     pub verdict: Verdict,
+    /// How good it is; `None` where that was not looked at.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile: Option<Profile>,
+    /// What mistakes would explain its wrong answers: those that explain most, the best first, and all that do so equally well; empty if none of the
+    /// catalogue does. `None` if nothing is wrong, or it was not looked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explanations: Option<Vec<Explanation>>,
 }
 
 impl Report {
-    /// The same with what became of these engines. One that answered nothing turns any run red.
+    /// The same with what became of these engines, as it was counted. One that answered nothing turns any run red.
     #[must_use]
-    pub fn with_engines(mut self, engines: Vec<Engine>) -> Self {
+    pub fn with_engines(mut self, engines: Vec<Engine>, tally: &Tally) -> Self {
         for engine in engines {
             let name = &engine.name;
             let answered = self.answered.get(name).copied().unwrap_or(0);
@@ -85,7 +95,27 @@ impl Report {
             let undecided = (broke > 0).then_some(Verdict::Undecided);
             let verdict = Verdict::of(wrong, about.map(Shortfall::verdict).chain(undecided));
             self.verdict = self.verdict.max(verdict);
-            self.engines.push(EngineReport { engine, answered, declined, broke, wrong, verdict });
+            let profile = tally.profiles.get(name).cloned();
+            let explanations = None;
+            self.engines.push(EngineReport {
+                engine,
+                answered,
+                declined,
+                broke,
+                wrong,
+                verdict,
+                profile,
+                explanations,
+            });
+        }
+        self
+    }
+
+    /// The same with what would explain the wrong answers of each engine, by its name. It is asked about those only that got something wrong.
+    #[must_use]
+    pub fn explained(mut self, explain: impl Fn(&str) -> Option<Vec<Explanation>>) -> Self {
+        for engine in self.engines.iter_mut().filter(|engine| engine.wrong > 0) {
+            engine.explanations = explain(&engine.engine.name);
         }
         self
     }
@@ -106,7 +136,7 @@ fn is_to_blame(name: &str, failure: &FailedCase) -> bool {
 /// The lines about the engines in the report for people.
 pub(super) fn lines(report: &Report) -> Vec<String> {
     let mut lines = Vec::new();
-    for EngineReport { engine, answered, declined, broke, wrong, verdict } in &report.engines {
+    for EngineReport { engine, answered, declined, broke, wrong, verdict, profile, explanations } in &report.engines {
         let Engine { name, says, receipt, claims, granted } = engine;
         let receipt = if receipt.is_empty() { String::new() } else { format!("; {receipt}") };
         let mut said = format!("{name} ({says}{receipt}): {verdict}, {answered} cases answered");
@@ -116,13 +146,35 @@ pub(super) fn lines(report: &Report) -> Vec<String> {
             }
         }
         lines.push(format!("  {:12} {said}", "engine"));
+        let mut more = Vec::new();
         if !claims {
             let Granted { time, interval, velocity, reason, .. } = granted;
             let by = if reason.is_empty() { "nothing is granted by its manifest".to_owned() } else { reason.clone() };
-            lines.push(format!(
-                "  {:12} it claims no errors; granted by the manifest: time {time:e}, interval {interval:e}, velocity {velocity:e} ({by})",
-                ""
+            more.push(format!(
+                "it claims no errors; granted by the manifest: time {time:e}, interval {interval:e}, velocity {velocity:e} ({by})"
             ));
+        }
+        more.extend(profile.iter().flat_map(profiles::lines));
+        more.extend(explanations.iter().flat_map(|found| explained(found)));
+        lines.extend(more.into_iter().map(|said| format!("  {:12} {said}", "")));
+    }
+    lines
+}
+
+/// How many explanations are shown.
+const EXPLANATIONS: usize = 4;
+
+/// What would explain what is wrong, in words.
+fn explained(found: &[Explanation]) -> Vec<String> {
+    let mut lines: Vec<String> = found.iter().take(EXPLANATIONS).map(Explanation::to_string).collect();
+    match found.len() {
+        0 => lines.push("nothing in the catalogue of mistakes explains it".to_owned()),
+        1 => {}
+        many => {
+            lines.insert(0, format!("{many} mistakes explain it equally well:"));
+            if many > EXPLANATIONS {
+                lines.push(format!("and {} more", many - EXPLANATIONS));
+            }
         }
     }
     lines

@@ -2,6 +2,7 @@
 
 mod engines;
 mod junit;
+mod profiles;
 mod tables;
 mod text;
 

@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use super::Report;
+use super::{Report, profiles};
 use crate::{
     gate::{counting::WorstFigure, ladder::Ladder, laws::Law, responses},
     measure::observables::Observable,
@@ -31,6 +31,11 @@ pub fn full(report: &Report) -> String {
         let broken = report.failures.iter().filter(breaks).count();
         let held = if broken == 0 { "holds in every history".to_owned() } else { format!("BROKEN in {broken} cases") };
         out += &format!("{}: {held}\n", law.says());
+    }
+    for engine in &report.engines {
+        if let Some(profile) = &engine.profile {
+            out += &format!("\n{}", profiles::tables(&engine.engine.name, profile));
+        }
     }
     if let Some(of) = &report.responses {
         out += "\nWhole responses, each method against the plain follower.\n";
