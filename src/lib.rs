@@ -24,4 +24,5 @@ pub mod motion;
 pub mod panel;
 pub mod plan;
 pub mod responders;
+pub mod stored;
 pub mod studies;

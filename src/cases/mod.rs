@@ -1,6 +1,7 @@
 //! Where a case comes in: from a file, or generated.
 
 pub mod case_file;
+pub mod case_list;
 pub mod generate;
 pub mod hex_float;
 pub mod shaking;

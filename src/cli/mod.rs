@@ -4,6 +4,7 @@ mod case_facts;
 mod case_flags;
 mod chart;
 mod chattering_time;
+mod conclusion;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
@@ -23,6 +24,7 @@ mod reference;
 mod replay;
 mod report_files;
 mod response;
+mod run_cases;
 mod scene;
 mod seed;
 mod simulate;
@@ -48,7 +50,7 @@ use typed::as_typed;
 /// Differential verification of the chattering of a rocking rigid block.
 ///
 /// Data goes to stdout, progress and diagnostics to stderr. Exit status: 0 all is well; 1 a check disagreed; 2 the request was wrong; 3 there is no verdict:
-/// the machine failed, as with a full disk, or the run was interrupted.
+/// the machine failed, as with a full disk, or the run was interrupted; 4 nothing ran.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct Cli {
@@ -86,6 +88,8 @@ pub(crate) enum Status {
     Disagreed,
     /// The machine failed, as with a full disk, or the run was interrupted, before any check had disagreed.
     Failed,
+    /// Nothing ran.
+    Nothing,
 }
 
 impl Status {
@@ -107,6 +111,7 @@ impl From<Status> for ExitCode {
             Status::Well => Self::SUCCESS,
             Status::Disagreed => Self::from(1),
             Status::Failed => Self::from(3),
+            Status::Nothing => Self::from(4),
         }
     }
 }

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use chattercheck::{
+    cases::shaking::Shaking,
     gate::{
+        partition::{Partition, cost_of_response},
         progress::Progress,
         responses::{self, Failure, Report, Responder, Selection},
     },
@@ -36,23 +38,23 @@ pub(super) struct Responses {
 /// What is to be run: the methods of these oracles, and the responses.
 pub(super) struct Chosen {
     methods: Vec<Stepped>,
-    shakings: Vec<(String, chattercheck::cases::shaking::Shaking)>,
+    shakings: Vec<(String, Shaking)>,
 }
 
 impl Responses {
     /// # Errors
     /// When there are too many, or none of the oracles follows whole responses and some were asked for.
-    /// Where there are engines, which follow no whole responses, none are run unless asked for.
+    /// Where they are not `usual`, none are run unless asked for: with engines, which follow none, and where only chosen cases are run.
     pub fn chosen(
         &self,
         panel: &[&dyn Oracle],
-        engines: bool,
+        usual: bool,
         seed: u64,
-        partition: (usize, usize),
+        partition: Partition,
     ) -> Result<Chosen, Invalid> {
         let is_asked = |method: &Stepped| panel.iter().any(|oracle| oracle.name() == method.oracle.name());
         let methods: Vec<Stepped> = responders::all().into_iter().filter(is_asked).collect();
-        let usual = if methods.is_empty() || engines { 0 } else { Selection::DEFAULT };
+        let usual = if methods.is_empty() || !usual { 0 } else { Selection::DEFAULT };
         let responses = self.responses.unwrap_or(usual);
         if responses > Selection::MOST {
             return Err(Invalid::new("responses", responses, "at most 1000000"));
@@ -61,7 +63,9 @@ impl Responses {
             let allowed = "0, as none of the oracles asked (--oracles) follows whole responses";
             return Err(Invalid::new("responses", responses, allowed));
         }
-        Ok(Chosen { methods, shakings: responses::shakings(&Selection { responses, seed, partition }) })
+        let all = responses::shakings(&Selection { responses, seed });
+        let costs: Vec<f64> = all.iter().map(|(_, shaking)| cost_of_response(shaking)).collect();
+        Ok(Chosen { methods, shakings: partition.of(all, &costs) })
     }
 }
 

@@ -2,17 +2,18 @@ use std::path::{Path, PathBuf};
 
 use anyhow::bail;
 use chattercheck::{
+    cases::generate::Named,
     engines::Started,
     gate::{
         failure::{Failure, by_cause},
         judge::Judges,
         ladder,
+        partition::Partition,
         progress::Progress,
         replay::Replay,
-        report::{self, Report},
-        run::{self, Selection},
+        report::Report,
+        run,
         shrink::{shrink, unshrunk},
-        verdict::Verdict,
     },
     panel,
 };
@@ -22,12 +23,12 @@ use rayon::prelude::*;
 
 use super::{
     Status,
+    conclusion::Conclusion,
     engine_flags::EngineFlags,
     files::{check_folder, make_folder, write_numbered},
-    numbers::count,
     output::note,
     report_files::ReportFiles,
-    seed::Seed,
+    run_cases::{self, RunCases},
     verified_responses::Responses,
     watch::Watch,
 };
@@ -35,13 +36,10 @@ use super::{
 /// Cross-check the whole panel of oracles on listed, edge, spaced and random cases
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// How many random cases, beside those of the other generators
-    #[arg(long, value_name = "N", default_value_t = Selection::DEFAULT_CASES, allow_negative_numbers = true, value_parser = count::<0, { Selection::MOST_CASES }>)]
-    cases: usize,
+    #[command(flatten)]
+    cases: RunCases,
     #[command(flatten)]
     responses: Responses,
-    #[command(flatten)]
-    seed: Seed,
     /// Names of oracles, separated by commas; `ode` stands for all that begin so [default: the default panel; where engines are given, those that step fastest]
     #[arg(long, value_name = "LIST")]
     oracles: Option<String>,
@@ -55,6 +53,9 @@ pub(super) struct Arguments {
     /// Run only the K-th of N shares of the cases
     #[arg(long, value_name = "K/N", default_value = "1/1", allow_hyphen_values = true)]
     partition: String,
+    /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "replays", "full"])]
+    list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
     /// Print the wide tables too: every pair, every claim, every law
@@ -73,14 +74,13 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         None => engines.panel(),
     };
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let seed = arguments.seed.value()?;
-    let partition = partition(&arguments.partition)?;
-    if arguments.cases > Selection::MOST_CASES {
-        return Err(Invalid::new("cases", arguments.cases, "at most 1000000").into());
-    }
+    let partition = Partition::parse(&arguments.partition)?;
     let every = every(&arguments.judge)?;
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
+    if arguments.list {
+        return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition));
+    }
     let files = arguments.files.check(None)?;
     if arguments.full && files.take_stdout() {
         bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
@@ -92,18 +92,22 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let wanted = arguments.oracles.as_deref().unwrap_or_default();
         return Err(Invalid::new("oracles", wanted, "names of two oracles at least: one alone proves nothing").into());
     }
-    let cases = run::cases(&Selection { cases: arguments.cases, seed, partition }, panel::stepper().as_ref());
-    if cases.is_empty() {
-        return Err(Invalid::new("partition", &arguments.partition, "a share that has cases in it").into());
-    }
+    let chosen = arguments.cases.chosen()?;
+    let seed = chosen.selection.seed;
+    let placed = chosen.part(&judges, partition);
     let has_engines = !engines.fleet.engines.is_empty();
-    let responses = arguments.responses.chosen(&panel, has_engines, seed, partition)?;
+    let responses = arguments.responses.chosen(&panel, chosen.whole && !has_engines, seed, partition)?;
+    if placed.is_empty() && responses.len() == 0 {
+        note(format_args!("chattercheck: nothing ran: nothing of the run falls to part {partition}"));
+        return Ok(Status::Nothing.after(engines.stop()));
+    }
+    let cases: Vec<Named> = placed.iter().map(|placed| placed.named.clone()).collect();
     let watch = Watch::start(cases.len() + responses.len(), arguments.quiet);
-    let ladders = Some(ladder::descend(&panel, panel::SERIES)?);
     // The ladders are a test of the panel itself.
+    let ladders = chosen.whole.then(|| ladder::descend(&panel, panel::SERIES)).transpose()?;
     let known = engines.fleet.known();
     let run = engines.with_guests(&known, |guests| {
-        run::with_guests(&all, guests, &judges, &cases, seed, ladders, &watch).excused(&known, &cases)
+        run::with_guests(&all, guests, &judges, &placed, seed, ladders, &watch).excused(&known, &cases)
     });
     let (of_responses, wrong_responses) = responses.run(&watch);
     watch.end();
@@ -114,17 +118,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let report =
         if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
     // First what was found: shrinking may take a while.
-    let status = match report.verdict {
-        Verdict::Pass => Status::Well,
-        Verdict::Undecided => Status::Failed,
-        Verdict::Fail => Status::Disagreed,
-    };
-    let tables = if arguments.full { format!("\n{}", report::full(&report)) } else { String::new() };
-    let text = format!("{}{}{tables}", report::text(&report), next(&report, arguments.full, replays));
-    let status = status.after(files.print(&text));
-    let status = status.after(files.write(&report, &cases));
+    let status = Conclusion { full: arguments.full, replays, next: None }.give(&report, &cases, &files);
     // A disagreement stays one where its replay files can't be written.
-    let part = of_partition(partition);
+    let part = partition.suffix();
     let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };
     let written = write_replays(&all, &judges, &run.failures, &place, &engines.flag(), &watch);
     if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part, &watch)) {
@@ -132,26 +128,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     drop(all);
     Ok(status.after(engines.stop()))
-}
-
-/// What to do next, in a line.
-fn next(report: &Report, full: bool, folder: &Path) -> String {
-    let tables = if full { "" } else { "; --full prints every pair, claim and law" };
-    let failed = report.failures.len() + report.responses.as_ref().map_or(0, |of| of.failures.len());
-    match report.verdict {
-        Verdict::Pass => format!("  next         another seed: --seed {}{tables}\n", report.seed.wrapping_add(1)),
-        Verdict::Undecided if !report.broke.is_empty() => {
-            "next: mend what broke the engine; `chattercheck engine ask` shows the talk about a case\n".to_owned()
-        }
-        Verdict::Undecided => "next: run it again to its end; --partition K/N runs a share of the cases\n".to_owned(),
-        Verdict::Fail if failed == 0 => format!("next: see which oracles the shortfalls name{tables}\n"),
-        Verdict::Fail => {
-            let folder = folder.display();
-            format!(
-                "next: the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`, scenes with `chattercheck response`{tables}\n"
-            )
-        }
-    }
 }
 
 /// Where replay files go unless told otherwise.
@@ -180,19 +156,6 @@ fn every(text: &str) -> Result<usize, Invalid> {
     every
         .filter(|every| *every > 0)
         .ok_or_else(|| Invalid::new("judge", text, "all, or N >= 1 to judge every N-th case"))
-}
-
-/// `K/N` with `1 <= K <= N`.
-fn partition(text: &str) -> Result<(usize, usize), Invalid> {
-    text.split_once('/')
-        .and_then(|(part, parts)| Some((part.parse().ok()?, parts.parse().ok()?)))
-        .filter(|&(part, parts): &(usize, usize)| 1 <= part && part <= parts)
-        .ok_or_else(|| Invalid::new("partition", text, "K/N with 1 <= K <= N"))
-}
-
-/// What tells the files of one share of a run from those of another.
-fn of_partition((part, parts): (usize, usize)) -> String {
-    if parts > 1 { format!("-part-{part}-of-{parts}") } else { String::new() }
 }
 
 /// How many causes are shrunk, and how many failures of each.

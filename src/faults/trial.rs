@@ -48,7 +48,7 @@ const EVERY: [(Generator, usize); 4] =
 impl Trial {
     /// The gate for a panel: all listed cases, every fifth spaced one, every seventh edge, and 48 random ones.
     pub fn new(panel: Panel, seed: u64) -> Self {
-        let all = run::cases(&Selection { cases: RANDOM, seed, partition: (1, 1) }, panel::stepper().as_ref());
+        let all = run::cases(&Selection { cases: RANDOM, seed }, panel::stepper().as_ref());
         let of = |(generator, every)| {
             all.iter().filter(move |named| named.generator == generator).step_by(every).cloned().collect::<Vec<_>>()
         };

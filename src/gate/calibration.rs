@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 use crate::{gate::tolerance, measure::observables::Observable};
 
 /// How claims compare with true errors, for each observable.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Calibration(BTreeMap<Observable, Ratios>);
 
 /// Claims over true errors, counted in classes of equal width in the logarithm.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Ratios {
     classes: BTreeMap<i32, usize>,
     smallest: f64,

@@ -32,10 +32,12 @@ pub(super) fn add_counts<K: Ord>(mine: &mut BTreeMap<K, usize>, theirs: BTreeMap
     }
 }
 
-/// Keeps the figure with the larger share; the earlier case where they are equal.
+/// Keeps the figure with the larger share; where they are equal, that of the case whose name sorts first: what is kept does not depend on the order in which
+/// the cases come.
 pub(super) fn keep_worst<K: Ord>(mine: &mut BTreeMap<K, WorstFigure>, key: K, theirs: WorstFigure) {
+    let rank = |of: &WorstFigure, other: &WorstFigure| of.share.total_cmp(&other.share).then(other.case.cmp(&of.case));
     match mine.get(&key) {
-        Some(worst) if worst.share >= theirs.share => {}
+        Some(worst) if rank(worst, &theirs).is_ge() => {}
         _ => {
             mine.insert(key, theirs);
         }

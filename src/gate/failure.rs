@@ -3,6 +3,7 @@
 use std::fmt;
 
 use contract::{Case, Model};
+use serde::{Deserialize, Serialize};
 
 use crate::{
     cases::{case_file, generate::Named},
@@ -10,7 +11,7 @@ use crate::{
 };
 
 /// A case in which something was wrong.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Failure {
     /// The case.
     pub named: Named,
@@ -25,7 +26,7 @@ pub struct Failure {
 }
 
 /// The history of an oracle, to be looked at.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct See {
     /// Its name.
     pub oracle: String,

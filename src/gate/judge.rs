@@ -24,7 +24,7 @@ use crate::{
 pub struct Judges<'a> {
     /// One for each model.
     pub oracles: Vec<&'a dyn Oracle>,
-    /// Every so many cases of a run one is judged; every listed case, and every one in which something is wrong, is judged anyway.
+    /// Every so many cases of a run one is judged; every listed case, the user's own too, and every one in which something is wrong, is judged anyway.
     pub every: usize,
 }
 
@@ -44,9 +44,10 @@ pub struct Judgement {
 }
 
 impl Judges<'_> {
-    /// Whether the case at `place` of a run is in the sample: every listed one is.
+    /// Whether the case at `place` of a run is in the sample: every listed one is, and every one of the user's own.
     pub fn asks(&self, place: usize, named: &Named) -> bool {
-        !self.oracles.is_empty() && (named.generator == Generator::List || place.is_multiple_of(self.every.max(1)))
+        let is_chosen = matches!(named.generator, Generator::Own | Generator::List);
+        !self.oracles.is_empty() && (is_chosen || place.is_multiple_of(self.every.max(1)))
     }
 
     /// Judges the answers to a case at the places that are `wanted`.

@@ -78,6 +78,8 @@ pub struct KnownFailure {
     pub met: usize,
     /// In how many of them it failed.
     pub failed: usize,
+    /// Over how many cases of the regime it has to show at the latest.
+    pub within: usize,
     /// Whether it failed in none of as many as it takes to tell.
     pub is_out_of_date: bool,
     /// The file and the line of the entry.
@@ -141,9 +143,19 @@ impl Known {
             link: self.link.clone(),
             met,
             failed,
+            within: self.within,
             is_out_of_date: failed == 0 && met >= self.within,
             entry: self.entry.clone(),
         }
+    }
+}
+
+impl KnownFailure {
+    /// Adds what became of the same entry in other cases.
+    pub fn add(&mut self, other: &Self) {
+        self.met += other.met;
+        self.failed += other.failed;
+        self.is_out_of_date = self.failed == 0 && self.met >= self.within;
     }
 }
 

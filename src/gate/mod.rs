@@ -17,6 +17,7 @@ pub mod ladder;
 pub mod laws;
 pub mod listed;
 pub mod pair;
+pub mod partition;
 pub mod profile;
 pub mod progress;
 pub mod replay;

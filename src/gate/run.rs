@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use contract::{Case, Oracle};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::{
     cases::generate::{Generator, Named},
@@ -21,15 +22,13 @@ use crate::{
     },
 };
 
-/// Which cases a run is made of.
-#[derive(Debug, Clone, PartialEq)]
+/// Which cases a run is made of, besides the user's own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Selection {
     /// How many random cases.
     pub cases: usize,
     /// What they are made from.
     pub seed: u64,
-    /// Which share of all cases to run: the `K`-th of `N`.
-    pub partition: (usize, usize),
 }
 
 impl Selection {
@@ -42,14 +41,27 @@ impl Selection {
 /// The cases of a run, in order. The edge generator finds the critical amplitudes with `stepper`, whichever panel is being verified, so that the
 /// cases do not depend on it.
 pub fn cases(selection: &Selection, stepper: &dyn Oracle) -> Vec<Named> {
-    let all =
-        Generator::ALL.into_iter().flat_map(|generator| generator.cases(selection.seed, selection.cases, stepper));
-    let (part, parts) = selection.partition;
-    all.enumerate().filter(|(place, _)| place % parts.max(1) + 1 == part).map(|(_, named)| named).collect()
+    Generator::ALL.into_iter().flat_map(|generator| generator.cases(selection.seed, selection.cases, stepper)).collect()
 }
 
-/// What came out of a run.
-#[derive(Debug, Clone)]
+/// A case and its place among all cases of the run, of which there may be a part here.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// From 0 on.
+    pub place: usize,
+    /// The case.
+    pub named: Named,
+}
+
+impl Placed {
+    /// Every case at its place.
+    pub fn all(cases: &[Named]) -> Vec<Self> {
+        cases.iter().enumerate().map(|(place, named)| Self { place, named: named.clone() }).collect()
+    }
+}
+
+/// What came out of a run, or of a part of one.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Run {
     /// The names of the oracles.
     pub oracles: Vec<String>,
@@ -83,40 +95,39 @@ pub fn run(
     ladders: Option<Vec<Descent>>,
     progress: &impl Progress,
 ) -> Run {
-    with_guests(panel, &Guests::default(), judges, cases, seed, ladders, progress)
+    with_guests(panel, &Guests::default(), judges, &Placed::all(cases), seed, ladders, progress)
 }
 
-/// The same with guests in the panel.
+/// The same with guests in the panel, for cases that may be a part of a run: which of them are judged depends on their places in the whole.
 pub fn with_guests(
     panel: &[&dyn Oracle],
     guests: &Guests,
     judges: &Judges,
-    cases: &[Named],
+    cases: &[Placed],
     seed: u64,
     ladders: Option<Vec<Descent>>,
     progress: &impl Progress,
 ) -> Run {
-    let examine = |(place, named): (usize, &Named)| {
+    let examine = |Placed { place, named }: &Placed| {
         if progress.is_interrupted() {
             return None;
         }
-        let examination = examine_and_judge(panel, judges, &named.case, judges.asks(place, named));
+        let examination = examine_and_judge(panel, judges, &named.case, judges.asks(*place, named));
         let failure = Failure::of(named, &examination);
         progress.done(failure.is_some());
         Some((Tally::of(named, &examination).with_guests(named, &examination, guests), failure))
     };
-    let asked = cases.iter().enumerate().filter(|(place, named)| judges.asks(*place, named)).count();
+    let asked = cases.iter().filter(|Placed { place, named }| judges.asks(*place, named)).count();
     let mut tally = Tally::expecting(asked);
     let (mut failures, mut left_out) = (Vec::new(), Vec::new());
     // What came out of a case is kept no longer than those beside it are run.
-    for (part, next) in cases.chunks(AHEAD).enumerate() {
+    for next in cases.chunks(AHEAD) {
         if !progress.is_interrupted() {
-            let next: Vec<Case> = next.iter().map(|named| named.case).collect();
+            let next: Vec<Case> = next.iter().map(|Placed { named, .. }| named.case).collect();
             panel.par_iter().for_each(|oracle| oracle.prepare(&next));
         }
-        let places = next.par_iter().enumerate().map(|(place, named)| (part * AHEAD + place, named));
-        let results: Vec<Option<(Tally, Option<Failure>)>> = places.map(examine).collect();
-        for (named, result) in next.iter().zip(results) {
+        let results: Vec<Option<(Tally, Option<Failure>)>> = next.par_iter().map(examine).collect();
+        for (Placed { named, .. }, result) in next.iter().zip(results) {
             match result {
                 Some((of_case, failure)) => {
                     tally.add(of_case);
@@ -127,7 +138,8 @@ pub fn with_guests(
         }
     }
     let oracles = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
-    Run { left_out, ..Run::of(oracles, seed, Identity::of_all(cases), tally, ladders, failures) }
+    let handed = Identity::of_all(cases.iter().map(|Placed { named, .. }| named));
+    Run { left_out, ..Run::of(oracles, seed, handed, tally, ladders, failures) }
 }
 
 /// How many cases the oracles are told of before they are asked them.
@@ -154,6 +166,22 @@ impl Run {
         }
         self.failures.retain(|failure| !failure.findings.is_empty());
         self
+    }
+
+    /// Adds another part of the same run. Failures are then in the order of the parts.
+    pub(super) fn add(&mut self, other: Self) {
+        self.handed.add(other.handed);
+        self.tally.add(other.tally);
+        for theirs in other.pairs {
+            match self.pairs.iter_mut().find(|mine| mine.oracles == theirs.oracles) {
+                Some(mine) => mine.add(theirs),
+                // A part without cases has no pairs.
+                None => self.pairs.push(theirs),
+            }
+        }
+        self.failures.extend(other.failures);
+        self.known.iter_mut().zip(&other.known).for_each(|(mine, theirs)| mine.add(theirs));
+        self.left_out.extend(other.left_out);
     }
 
     /// A run from what was counted in it.

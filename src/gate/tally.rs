@@ -22,12 +22,15 @@ use crate::{
 };
 
 /// What is gathered case by case.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Tally {
     pub(super) reach: Reach,
     pub(super) declines: BTreeMap<String, BTreeMap<String, usize>>,
     pub(super) broke: BTreeMap<String, BTreeMap<String, usize>>,
     pub(super) answered: BTreeMap<String, usize>,
+    /// By the places of the two in the panel, until the tally is that of a run.
+    #[serde(skip)]
     pub(super) pairs: BTreeMap<(usize, usize), Pair>,
     pub(super) ratio_law: BTreeMap<String, WorstFigure>,
     pub(super) judged: usize,
@@ -159,7 +162,7 @@ impl Tally {
         self.judged
     }
 
-    /// Adds the tally of a later case.
+    /// Adds the tally of other cases, in whatever order they come.
     pub fn add(&mut self, other: Self) {
         let (mine, theirs) = (&mut self.reach, other.reach);
         mine.cases += theirs.cases;

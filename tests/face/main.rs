@@ -8,6 +8,7 @@ mod hostile;
 mod independence;
 mod judged_lists;
 mod options;
+mod own_cases;
 mod pages;
 mod paths;
 mod readme;

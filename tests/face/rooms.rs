@@ -13,8 +13,10 @@ use super::paths::Paths;
 /// What each room of `src` may import. Those that are handed in (the panel, roles, methods) are not imported.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("measure", &[]),
+    // Files that say whether they are whole.
+    ("stored", &[]),
     ("cases", &["measure"]),
-    ("gate", &["cases", "measure"]),
+    ("gate", &["cases", "measure", "stored"]),
     ("motion", &["cases", "measure"]),
     // The one table of the methods, and what they are good for.
     ("panel", &["gate", "measure", "motion"]),

@@ -20,7 +20,7 @@ use contract::{Case, History, Oracle, Uncertainty};
 
 /// The cases of a default run that are judged.
 fn sample(seed: u64) -> Vec<Named> {
-    let selection = Selection { cases: Selection::DEFAULT_CASES, seed, partition: (1, 1) };
+    let selection = Selection { cases: Selection::DEFAULT_CASES, seed };
     let all = run::cases(&selection, panel::stepper().as_ref());
     let judges = panel::judges();
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 10 };

@@ -156,7 +156,7 @@ fn spoilt(spoil: fn(&mut Whole, &Shaking)) -> Spoilt {
 
 /// The responses in which mistakes are looked for.
 fn shakings() -> Vec<(String, Shaking)> {
-    responses::shakings(&responses::Selection { responses: 150, seed: 1, partition: (1, 1) })
+    responses::shakings(&responses::Selection { responses: 150, seed: 1 })
 }
 
 /// Whether this is found of a method in one of them.
@@ -375,7 +375,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
         Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking }
     }
     let (one, two) = (other("one"), other("two"));
-    let request = responses::Selection { responses: 20, seed: 1, partition: (1, 1) };
+    let request = responses::Selection { responses: 20, seed: 1 };
     let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), &());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
@@ -388,7 +388,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 #[test]
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
-    let request = responses::Selection { responses: 40, seed: 1, partition: (1, 1) };
+    let request = responses::Selection { responses: 40, seed: 1 };
     let (_, failures) = responses::run(&[&method], &responses::shakings(&request), &());
     let failure = &failures[0];
     let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);
@@ -414,7 +414,7 @@ fn what_disagrees_is_shrunk_to_a_scene() {
 fn a_wrong_response_is_in_every_report() {
     let panel = panel::select("closed-form,taylor").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let cases = [run::cases(&Selection { cases: 0, seed: 1, partition: (1, 1) }, panel[0]).swap_remove(0)];
+    let cases = [run::cases(&Selection { cases: 0, seed: 1 }, panel[0]).swap_remove(0)];
     let judges = Judges { oracles: Vec::new(), every: 1 };
     let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, &()), &panel::roles());
     assert!(green().passes());

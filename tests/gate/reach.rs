@@ -2,7 +2,10 @@
 
 use chattercheck::{
     cases::generate::{Generator, Named},
-    gate::run,
+    gate::{
+        partition::{Partition, cost_of_case},
+        run,
+    },
     measure::critical,
     panel,
 };
@@ -194,9 +197,10 @@ fn the_same_seed_gives_the_same_cases_and_another_seed_others() {
 
 #[test]
 fn partitions_are_disjoint_and_complete() {
-    let part = |k, n| run::cases(&run::Selection { cases: 30, seed: 3, partition: (k, n) }, stepper().as_ref());
-    let whole = part(1, 1);
-    let mut parts: Vec<Named> = (1..=3).flat_map(|k| part(k, 3)).collect();
+    let whole = run::cases(&run::Selection { cases: 30, seed: 3 }, stepper().as_ref());
+    let costs: Vec<f64> = whole.iter().map(|named| cost_of_case(named, false)).collect();
+    let part = |part| Partition { part, parts: 3 }.of(whole.clone(), &costs);
+    let mut parts: Vec<Named> = (1..=3).flat_map(part).collect();
     assert_eq!(parts.len(), whole.len());
     parts.sort_by_key(|named| whole.iter().position(|other| other == named));
     assert_eq!(parts, whole);

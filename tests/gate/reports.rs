@@ -42,7 +42,7 @@ fn after(cases: usize) -> After {
 }
 
 fn cases() -> Vec<Named> {
-    let all = run::cases(&Selection { cases: 0, seed: 1, partition: (1, 1) }, panel::stepper().as_ref());
+    let all = run::cases(&Selection { cases: 0, seed: 1 }, panel::stepper().as_ref());
     all.into_iter().take(6).collect()
 }
 
@@ -92,11 +92,8 @@ fn what_an_interruption_leaves_out_is_skipped() {
     let of_cases = report(&after(2));
     assert!(!of_cases.left_out.is_empty() && of_cases.reach.cases + of_cases.left_out.len() == cases().len());
     assert_eq!(of_cases.verdict, Verdict::Undecided);
-    let (of_responses, _) = responses::run(
-        &[],
-        &responses::shakings(&responses::Selection { responses: 4, seed: 1, partition: (1, 1) }),
-        &after(0),
-    );
+    let (of_responses, _) =
+        responses::run(&[], &responses::shakings(&responses::Selection { responses: 4, seed: 1 }), &after(0));
     assert_eq!(of_responses.verdict(), Verdict::Undecided);
     let left_out: BTreeSet<String> =
         of_cases.left_out.iter().cloned().chain((1..=4).map(|n| format!("response/{n}"))).collect();

@@ -2,6 +2,7 @@
 
 use chattercheck::{
     gate::{
+        partition::{Partition, cost_of_response},
         responses::{self, Example, Report, Responder, Selection, Shortfall, Whole},
         verdict::Verdict,
     },
@@ -16,7 +17,7 @@ fn run(responders: &[&dyn Responder], request: &Selection) -> (Report, Vec<respo
 }
 
 fn request(responses: usize) -> Selection {
-    Selection { responses, seed: 1, partition: (1, 1) }
+    Selection { responses, seed: 1 }
 }
 
 /// A method that declines everything: what is left is the plain follower.
@@ -69,8 +70,9 @@ fn random_responses_reach_every_regime() {
 #[test]
 fn the_shares_of_a_run_are_the_run() {
     let all = responses::shakings(&request(50));
-    let mut shares: Vec<_> =
-        (1..=3).flat_map(|part| responses::shakings(&Selection { partition: (part, 3), ..request(50) })).collect();
+    let costs: Vec<f64> = all.iter().map(|(_, shaking)| cost_of_response(shaking)).collect();
+    let share = |part| Partition { part, parts: 3 }.of(all.clone(), &costs);
+    let mut shares: Vec<_> = (1..=3).flat_map(share).collect();
     shares.sort_by_key(|(name, _)| all.iter().position(|(other, _)| other == name));
     assert_eq!(all, shares);
     assert_ne!(all[0].1, responses::shakings(&Selection { seed: 2, ..request(1) })[0].1);

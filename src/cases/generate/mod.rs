@@ -9,16 +9,20 @@ mod spaced;
 
 use std::fmt;
 
-use contract::{Case, Oracle};
+use contract::{Case, Invalid, Oracle};
 use serde::{Deserialize, Serialize};
 
-pub use list::{Listed, LoadError, read as read_list, shipped};
+use super::case_file::CaseFields;
+
+pub use list::shipped;
 pub use responses::shakings;
 
 /// The generators, in the order in which their cases run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Generator {
+    /// The user's own cases.
+    Own,
     /// The curated list in `data/cases`: those of the paper, and every bug that was found.
     List,
     /// Towards `a = 1` and `a = a_cr` by ever smaller steps, and the corners of the parameters.
@@ -30,7 +34,8 @@ pub enum Generator {
 }
 
 /// A case with its origin, as in `random/17`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(into = "Written", try_from = "Written")]
 pub struct Named {
     /// Which generator made it.
     pub generator: Generator,
@@ -40,11 +45,34 @@ pub struct Named {
     pub case: Case,
 }
 
+/// A named case as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    name: String,
+    case: CaseFields,
+}
+
+impl From<Named> for Written {
+    fn from(named: Named) -> Self {
+        Self { name: named.to_string(), case: CaseFields::from(&named.case) }
+    }
+}
+
+impl TryFrom<Written> for Named {
+    type Error = Invalid;
+
+    fn try_from(written: Written) -> Result<Self, Invalid> {
+        Ok(Self::parse(&written.name, written.case.case()?))
+    }
+}
+
 impl Named {
     /// A case under the name that it was shown by; one that no generator made counts as listed.
     pub fn parse(shown: &str, case: Case) -> Self {
         let of = |generator: &Generator| shown.strip_prefix(generator.name())?.strip_prefix('/').map(str::to_owned);
-        let found = Generator::ALL.into_iter().find_map(|generator| Some((generator, of(&generator)?)));
+        let found =
+            [Generator::Own].into_iter().chain(Generator::ALL).find_map(|generator| Some((generator, of(&generator)?)));
         let (generator, name) = found.unwrap_or((Generator::List, shown.to_owned()));
         Self { generator, name, case }
     }
@@ -57,12 +85,13 @@ impl fmt::Display for Named {
 }
 
 impl Generator {
-    /// Every generator.
+    /// Every generator that makes cases itself.
     pub const ALL: [Self; 4] = [Self::List, Self::Edge, Self::Spaced, Self::Random];
 
     /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Own => "own",
             Self::List => "list",
             Self::Edge => "edge",
             Self::Spaced => "spaced",
@@ -74,6 +103,7 @@ impl Generator {
     /// amplitudes that the edge generator walks towards.
     pub fn cases(self, seed: u64, random: usize, stepper: &dyn Oracle) -> Vec<Named> {
         let cases: Vec<(String, Case)> = match self {
+            Self::Own => Vec::new(),
             Self::List => shipped().into_iter().map(|listed| (listed.name, listed.case)).collect(),
             Self::Edge => edge::cases(stepper),
             Self::Spaced => spaced::cases(),

@@ -61,6 +61,23 @@ impl Report {
         Self { tally, failures: failures.iter().map(Failed::from).collect(), shortfalls, not_judged }
     }
 
+    /// With what was found in other responses of the same run. What is concluded waits for [`Self::in_order`].
+    pub(in crate::gate) fn and(mut self, other: Self) -> Self {
+        self.tally.add_all(other.tally);
+        self.failures.extend(other.failures);
+        self
+    }
+
+    /// In the order of the run, and concluded from all of it.
+    pub(in crate::gate) fn in_order(mut self) -> Self {
+        let number = |name: &str| name.rsplit('/').next().and_then(|number| number.parse().ok()).unwrap_or(usize::MAX);
+        self.tally.names.sort_by_key(|name| number(name));
+        self.tally.left_out.sort_by_key(|name| number(name));
+        self.failures.sort_by_key(|failed| number(&failed.name));
+        let (shortfalls, not_judged) = shortfalls(&self.tally);
+        Self { shortfalls, not_judged, ..self }
+    }
+
     /// What the responses make of the run.
     pub fn verdict(&self) -> Verdict {
         Verdict::of(self.failures.len(), self.shortfalls.iter().map(Shortfall::verdict))

@@ -15,8 +15,6 @@ pub struct Selection {
     pub responses: usize,
     /// What they are made from.
     pub seed: u64,
-    /// Which share of them to run: the `K`-th of `N`.
-    pub partition: (usize, usize),
 }
 
 impl Selection {
@@ -28,10 +26,8 @@ impl Selection {
 
 /// The responses of a run, by name and in order.
 pub fn shakings(request: &Selection) -> Vec<(String, Shaking)> {
-    let (part, parts) = request.partition;
     let all = (1..).zip(generate::shakings(request.seed, request.responses));
-    let own = all.filter(|(number, _)| (number - 1) % parts.max(1) + 1 == part);
-    own.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
+    all.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
 }
 
 /// Runs them through all methods.

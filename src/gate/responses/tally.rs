@@ -8,6 +8,7 @@ use super::{
     examine::{Compared, Examination},
     reach::Example,
 };
+use crate::gate::counting::add_counts;
 
 /// What was run, and what was compared of it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -47,6 +48,25 @@ pub struct MethodCounts {
 }
 
 impl Tally {
+    /// Adds what was counted over other responses of the same run.
+    pub(super) fn add_all(&mut self, other: Self) {
+        self.names.extend(other.names);
+        self.left_out.extend(other.left_out);
+        self.responses += other.responses;
+        self.too_close += other.too_close;
+        add_counts(&mut self.reach, other.reach);
+        for (name, theirs) in other.methods {
+            let mine = self.methods.entry(name).or_default();
+            mine.answered += theirs.answered;
+            mine.declined += theirs.declined;
+            mine.bouts += theirs.bouts;
+            mine.impacts += theirs.impacts;
+            mine.rows += theirs.rows;
+            mine.wrong += theirs.wrong;
+            mine.used = mine.used.max(theirs.used);
+        }
+    }
+
     pub(super) fn add(&mut self, name: &str, examination: &Examination) {
         self.names.push(name.to_owned());
         self.responses += 1;
