@@ -56,7 +56,20 @@ struct Record {
     recording: Arc<Recording<BufWriter<std::fs::File>>>,
 }
 
+/// What is allowed for a report where a file is read.
+pub(super) const READ: &str = "another file than the one that is read";
+
 impl EngineFlags {
+    /// The manifest, which no report may be written over.
+    pub fn manifest(&self) -> (&'static str, Option<&Path>) {
+        (READ, self.engines.as_deref())
+    }
+
+    /// The record, which no report may be written over.
+    pub fn record(&self) -> (&'static str, Option<&Path>) {
+        ("another file than that of --record", self.record.as_deref())
+    }
+
     /// The engines that are asked for.
     ///
     /// # Errors

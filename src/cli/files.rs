@@ -66,6 +66,11 @@ impl Target {
         self.path == other.path
     }
 
+    /// The path without links, if there is such a file or a folder for it.
+    pub fn resolved(path: &Path) -> Option<PathBuf> {
+        resolve(path).ok()
+    }
+
     /// Whether it is the file at this path, which is without links.
     pub fn is_at(&self, path: &Path) -> bool {
         self.kind != Kind::Stdout && self.path == path

@@ -16,7 +16,13 @@ use chattercheck::{
 use clap::Args;
 use contract::Oracle;
 
-use super::{Status, case_flags::read_text, engine_flags::EngineFlags, output::note, report_files::ReportFiles};
+use super::{
+    Status,
+    case_flags::read_text,
+    engine_flags::{EngineFlags, READ},
+    output::note,
+    report_files::{ReportFiles, Told},
+};
 
 /// Run one stored disagreement again
 #[derive(Args)]
@@ -31,7 +37,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
-    let files = arguments.files.check(Some(&arguments.file))?;
+    let files = arguments.files.check(&[
+        (READ, Some(&arguments.file)),
+        arguments.engines.manifest(),
+        arguments.engines.record(),
+    ])?;
     let text = read_text(&arguments.file)?;
     let other = version_of(&text).filter(|version| version != env!("CARGO_PKG_VERSION"));
     let (replay, case) = Replay::read(&text).with_context(|| match &other {
@@ -70,7 +80,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         (Verdict::Fail, false) => ("FAIL: the disagreement is still there", Status::Disagreed),
     };
     let status = status.after(files.print(&format!("{text}{verdict}\n")));
-    let status = status.after(files.write(&report, &cases));
+    let told = Told { report: &report, cases: &cases, outcomes: &run.outcomes, replays: None };
+    let status = status.after(files.write(&told));
     drop(panel);
     Ok(status.after(engines.stop()))
 }

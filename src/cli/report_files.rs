@@ -1,13 +1,13 @@
-//! The files that a report is written to, for machines.
+//! The files that a report is written to, for machines and for pages.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use chattercheck::{
     cases::generate::Named,
-    gate::report::{self, Report},
+    gate::{
+        outcome::Outcomes,
+        report::{self, Report},
+    },
 };
 use clap::Args;
 use contract::Invalid;
@@ -22,50 +22,93 @@ pub(super) struct ReportFiles {
     /// Write the report as JUnit XML; - is stdout, in place of the text
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// Write the report as Markdown, for the page of a CI job; - is stdout, in place of the text
+    #[arg(long, value_name = "FILE")]
+    summary: Option<PathBuf>,
 }
 
-/// Files that can be written.
-pub(super) struct Targets {
-    json: Option<Target>,
-    junit: Option<Target>,
+/// Files that can be written, each with what goes into it.
+pub(super) struct Targets(Vec<(Content, Target)>);
+
+#[derive(Clone, Copy)]
+enum Content {
+    Json,
+    Junit,
+    Summary,
+}
+
+/// What is written.
+pub(super) struct Told<'a> {
+    pub report: &'a Report,
+    pub cases: &'a [Named],
+    pub outcomes: &'a Outcomes,
+    /// The folder that replay files go to, if there are any.
+    pub replays: Option<&'a Path>,
+}
+
+impl Content {
+    /// The option that asks for it.
+    fn option(self) -> &'static str {
+        match self {
+            Self::Json => "json",
+            Self::Junit => "junit",
+            Self::Summary => "summary",
+        }
+    }
+
+    /// What is allowed for the others where this one is asked for.
+    fn allowed_beside(self) -> &'static str {
+        match self {
+            Self::Json => "another file than that of --json",
+            Self::Junit => "another file than that of --junit",
+            Self::Summary => "another file than that of --summary",
+        }
+    }
+
+    fn text(self, told: &Told) -> anyhow::Result<String> {
+        let Told { report, cases, outcomes, replays } = told;
+        let replays = replays.map(|folder| folder.display().to_string());
+        Ok(match self {
+            Self::Json => serde_json::to_string_pretty(report)? + "\n",
+            Self::Junit => report::junit(report, cases, outcomes)?,
+            Self::Summary => report::summary(report, replays.as_deref()),
+        })
+    }
 }
 
 impl ReportFiles {
     /// That the files can be written is found out before the work, not after it. What is in them stays.
     ///
     /// # Errors
-    /// When one can't be written, or both are the same, or one is the file that is `read`.
-    pub fn check(&self, read: Option<&Path>) -> anyhow::Result<Targets> {
-        let target = |path: &Option<PathBuf>| path.as_deref().map(Target::new).transpose();
-        let (json, junit) = (target(&self.json)?, target(&self.junit)?);
-        if let (Some(json), Some(junit)) = (&json, &junit)
-            && json.is(junit)
-        {
-            let allowed = "another file than that of --json";
-            return Err(Invalid::new("junit", junit.given.display(), allowed).into());
-        }
-        // A report over it would be the end of it.
-        let read = read.and_then(|read| fs::canonicalize(read).ok());
-        for (option, target) in [("json", &json), ("junit", &junit)] {
-            if let Some(target) =
-                target.as_ref().filter(|target| read.as_deref().is_some_and(|read| target.is_at(read)))
-            {
-                return Err(
-                    Invalid::new(option, target.given.display(), "another file than the one that is read").into()
-                );
+    /// When one can't be written, or two are the same, or one is among the files that are `taken`: what is allowed then, and the path.
+    pub fn check(&self, taken: &[(&'static str, Option<&Path>)]) -> anyhow::Result<Targets> {
+        let given = [(Content::Json, &self.json), (Content::Junit, &self.junit), (Content::Summary, &self.summary)];
+        let mut files: Vec<(Content, Target)> = Vec::new();
+        for (content, path) in given {
+            let Some(path) = path else { continue };
+            let target = Target::new(path)?;
+            let refused = |allowed| Invalid::new(content.option(), path.display(), allowed);
+            if let Some((other, _)) = files.iter().find(|(_, other)| other.is(&target)) {
+                return Err(refused(other.allowed_beside()).into());
             }
+            // A report over it would be the end of it.
+            let is_taken = |taken: &Path| Target::resolved(taken).is_some_and(|taken| target.is_at(&taken));
+            if let Some((allowed, _)) = taken.iter().find(|(_, taken)| taken.is_some_and(is_taken)) {
+                return Err(refused(allowed).into());
+            }
+            files.push((content, target));
         }
-        Ok(Targets { json, junit })
+        Ok(Targets(files))
     }
 }
 
 impl Targets {
-    /// Whether stdout is for the report of machines.
+    /// Whether stdout is for one of these files.
     pub fn take_stdout(&self) -> bool {
-        [&self.json, &self.junit].into_iter().flatten().any(Target::is_stdout)
+        self.0.iter().any(|(_, target)| target.is_stdout())
     }
 
-    /// Prints the report for people, unless stdout is for that of machines.
+    /// Prints the report for people, unless stdout is for one of these files.
     ///
     /// # Errors
     /// When stdout can't be written to.
@@ -76,11 +119,10 @@ impl Targets {
     /// Writes the report: each file whole, or not at all.
     ///
     /// # Errors
-    /// When one can't be written; the other one is all the same.
-    pub fn write(&self, report: &Report, cases: &[Named]) -> anyhow::Result<()> {
-        let json =
-            self.json.as_ref().map_or(Ok(()), |file| file.write(&(serde_json::to_string_pretty(report)? + "\n")));
-        let junit = self.junit.as_ref().map_or(Ok(()), |file| file.write(&report::junit(report, cases)?));
-        json.and(junit)
+    /// When one can't be written; the others are all the same.
+    pub fn write(&self, told: &Told) -> anyhow::Result<()> {
+        let written = self.0.iter().map(|(content, target)| target.write(&content.text(told)?));
+        // All of them, before the first error is looked at.
+        written.collect::<Vec<_>>().into_iter().collect()
     }
 }

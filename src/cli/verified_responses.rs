@@ -74,13 +74,13 @@ impl Chosen {
         self.shakings.len()
     }
 
-    /// Runs them; `None` where there are none.
-    pub fn run(&self, progress: &impl Progress) -> (Option<Report>, Vec<Failure>) {
+    /// Runs them; `None` where there are none. How many seconds each took is the last.
+    pub fn run(&self, progress: &impl Progress) -> (Option<Report>, Vec<Failure>, Vec<f64>) {
         if self.shakings.is_empty() {
-            return (None, Vec::new());
+            return (None, Vec::new(), Vec::new());
         }
-        let (report, failures) = responses::run(&self.methods(), &self.shakings, progress);
-        (Some(report), failures)
+        let (report, failures, seconds) = responses::timed(&self.methods(), &self.shakings, progress);
+        (Some(report), failures, seconds)
     }
 
     fn methods(&self) -> Vec<&dyn Responder> {

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 
 use super::{
     Status,
-    conclusion::Conclusion,
+    conclusion::{Conclusion, Format},
     engine_flags::EngineFlags,
     files::{check_folder, make_folder, write_numbered},
     output::note,
@@ -54,10 +54,13 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "K/N", default_value = "1/1", allow_hyphen_values = true)]
     partition: String,
     /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
-    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "replays", "full"])]
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "summary", "replays", "format", "full"])]
     list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
+    /// How stdout is written: for people, or for a workflow of GitHub, with commands that it shows as annotations
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
     /// Print the wide tables too: every pair, every claim, every law
     #[arg(long)]
     full: bool,
@@ -81,9 +84,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if arguments.list {
         return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition));
     }
-    let files = arguments.files.check(None)?;
-    if arguments.full && files.take_stdout() {
-        bail!("--full is not used where stdout is for the report of machines (- as FILE); it is for that of people");
+    let files = arguments.files.check(&[arguments.engines.manifest(), arguments.engines.record()])?;
+    for (option, is_given) in [("--full", arguments.full), ("--format github", arguments.format == Format::Github)] {
+        if is_given && files.take_stdout() {
+            bail!("{option} is not used where stdout is for a file (- as FILE); it is for the report for people");
+        }
     }
     let replays = arguments.replays()?;
     let Some(engines) = engines.start()? else { return Ok(Status::Failed) };
@@ -109,7 +114,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let run = engines.with_guests(&known, |guests| {
         run::with_guests(&all, guests, &judges, &placed, seed, ladders, &watch).excused(&known, &cases)
     });
-    let (of_responses, wrong_responses) = responses.run(&watch);
+    let (of_responses, wrong_responses, response_seconds) = responses.run(&watch);
     watch.end();
     let described = engines.fleet.engines.iter().map(Started::described).collect();
     let report = engines.with_roles(|roles| Report::new(&run, roles));
@@ -118,7 +123,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let report =
         if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
     // First what was found: shrinking may take a while.
-    let status = Conclusion { full: arguments.full, replays, next: None }.give(&report, &cases, &files);
+    let responses_run = report.responses.as_ref().map_or(&[][..], |of| &of.tally.names);
+    let outcomes = run.outcomes.with_responses(responses_run, response_seconds);
+    let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays, next: None };
+    let status = conclusion.give(&report, &cases, &outcomes, &files);
     // A disagreement stays one where its replay files can't be written.
     let part = partition.suffix();
     let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };

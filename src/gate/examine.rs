@@ -1,5 +1,7 @@
 //! One case through the whole panel: every oracle's answer, every law, every pair.
 
+use std::time::Instant;
+
 use contract::{Case, Decline, Model, Normalisation, Oracle};
 
 use crate::{
@@ -30,6 +32,8 @@ pub struct Examination {
     pub judgements: Vec<Judgement>,
     /// Known divergences whose regime the case is in, by their place in the table, and by how much the two differ.
     pub known: Vec<(usize, f64)>,
+    /// How long each answer took, in seconds, where that was measured.
+    pub seconds: Vec<f64>,
 }
 
 /// What came out of a pair.
@@ -44,7 +48,12 @@ pub enum Pairing {
 
 /// Asks every oracle of the panel, and compares.
 pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
-    examine_answers(panel, case, panel.iter().map(|oracle| ask(*oracle, case)).collect(), |_, _| true)
+    let timed = |oracle: &&dyn Oracle| {
+        let start = Instant::now();
+        (ask(*oracle, case), start.elapsed().as_secs_f64())
+    };
+    let (answers, seconds) = panel.iter().map(timed).unzip();
+    Examination { seconds, ..examine_answers(panel, case, answers, |_, _| true) }
 }
 
 /// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
@@ -91,7 +100,7 @@ pub fn examine_answers(
         }
     }
     let known = known(case, &answers, &pairs);
-    Examination { answers, checked, pairs, judgements: Vec::new(), known }
+    Examination { answers, checked, pairs, judgements: Vec::new(), known, seconds: Vec::new() }
 }
 
 /// The gap between the models on this case, by the first linear oracle that has a history. `None` if no pair needs it, or there is none.
@@ -163,6 +172,12 @@ impl Examination {
             how: decline.to_string(),
         });
         laws.chain(refuted).chain(pairs).chain(broke).collect()
+    }
+
+    /// Whether every history that an oracle gave was judged, and there was one.
+    pub fn is_judged(&self) -> bool {
+        let histories = self.answers.iter().filter(|answer| answer.observed().is_some()).count();
+        histories > 0 && self.judgements.len() == histories
     }
 
     /// The names of the oracles with whose answers the judge found nothing wrong, nor any law.

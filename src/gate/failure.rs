@@ -7,7 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     cases::{case_file, generate::Named},
-    gate::{examine::Examination, finding::Finding},
+    gate::{
+        examine::Examination,
+        finding::Finding,
+        parting::{Parting, partings},
+    },
 };
 
 /// A case in which something was wrong.
@@ -23,6 +27,8 @@ pub struct Failure {
     pub suspect_judges: Vec<String>,
     /// What shows it: the histories of those that are wrong or differ, or of one that is wrong and one that is sound.
     pub see: Vec<See>,
+    /// The impacts around the first that is wrong, beside those of another; not of every failure where there are many.
+    pub partings: Vec<Parting>,
 }
 
 /// The history of an oracle, to be looked at.
@@ -53,7 +59,8 @@ impl Failure {
         let findings = examination.findings();
         let (sound, suspect_judges) = (examination.sound(), examination.suspect_judges());
         let see = see(&named.case, examination, &findings, &sound);
-        (!findings.is_empty()).then(|| Self { named: named.clone(), findings, sound, suspect_judges, see })
+        let partings = partings(examination, &findings, &sound);
+        (!findings.is_empty()).then(|| Self { named: named.clone(), findings, sound, suspect_judges, see, partings })
     }
 
     /// What this failure is grouped by.

@@ -1,6 +1,6 @@
 //! A verification run: every case through the panel, on all threads, with an outcome that does not depend on how many there were.
 
-use std::collections::HashSet;
+use std::{collections::HashSet, time::Instant};
 
 use contract::{Case, Oracle};
 use rayon::prelude::*;
@@ -11,11 +11,13 @@ use crate::{
     gate::{
         examine::examine_and_judge,
         failure::Failure,
+        finding::Finding,
         guests::Guests,
         identity::Identity,
         judge::Judges,
         known::{Known, KnownFailure},
         ladder::Descent,
+        outcome::{Outcome, Outcomes},
         pair::Pair,
         progress::Progress,
         tally::Tally,
@@ -83,6 +85,8 @@ pub struct Run {
     pub whole: bool,
     /// The names of the cases that were not run because the run was interrupted.
     pub left_out: Vec<String>,
+    /// What became of each case, for reports that list them.
+    pub outcomes: Outcomes,
 }
 
 /// Runs the cases through the panel, with the judge on a sample of them. A run without `ladders` is of a few chosen cases and does not have to
@@ -112,38 +116,68 @@ pub fn with_guests(
         if progress.is_interrupted() {
             return None;
         }
+        let start = Instant::now();
         let examination = examine_and_judge(panel, judges, &named.case, judges.asks(*place, named));
+        let seconds = start.elapsed().as_secs_f64();
         let failure = Failure::of(named, &examination);
         progress.done(failure.is_some());
-        Some((Tally::of(named, &examination).with_guests(named, &examination, guests), failure))
+        let tally = Tally::of(named, &examination).with_guests(named, &examination, guests);
+        Some((tally, failure, Outcome::of(named, &examination, seconds)))
     };
     let asked = cases.iter().filter(|Placed { place, named }| judges.asks(*place, named)).count();
     let mut tally = Tally::expecting(asked);
-    let (mut failures, mut left_out) = (Vec::new(), Vec::new());
+    let (mut failures, mut left_out, mut outcomes) = (Vec::new(), Vec::new(), Outcomes::default());
+    let mut detailed = Detailed::default();
     // What came out of a case is kept no longer than those beside it are run.
     for next in cases.chunks(AHEAD) {
-        if !progress.is_interrupted() {
-            let next: Vec<Case> = next.iter().map(|Placed { named, .. }| named.case).collect();
-            panel.par_iter().for_each(|oracle| oracle.prepare(&next));
-        }
-        let results: Vec<Option<(Tally, Option<Failure>)>> = next.par_iter().map(examine).collect();
+        let before = if progress.is_interrupted() { Vec::new() } else { prepare(panel, next) };
+        let results: Vec<Option<(Tally, Option<Failure>, Outcome)>> = next.par_iter().map(examine).collect();
         for (Placed { named, .. }, result) in next.iter().zip(results) {
-            match result {
-                Some((of_case, failure)) => {
-                    tally.add(of_case);
-                    failures.extend(failure);
-                }
-                None => left_out.push(named.to_string()),
-            }
+            let Some((of_case, failure, outcome)) = result else {
+                left_out.push(named.to_string());
+                continue;
+            };
+            tally.add(of_case);
+            failures.extend(failure.map(|failure| detailed.keep(failure, guests.known)));
+            outcomes.push(outcome, &before);
         }
     }
     let oracles = panel.iter().map(|oracle| oracle.name().to_owned()).collect();
     let handed = Identity::of_all(cases.iter().map(|Placed { named, .. }| named));
-    Run { left_out, ..Run::of(oracles, seed, handed, tally, ladders, failures) }
+    Run { left_out, outcomes, ..Run::of(oracles, seed, handed, tally, ladders, failures) }
+}
+
+/// Tells every oracle which cases come next. How many seconds each took for it, a case.
+fn prepare(panel: &[&dyn Oracle], next: &[Placed]) -> Vec<f64> {
+    let cases: Vec<Case> = next.iter().map(|Placed { named, .. }| named.case).collect();
+    let timed = |oracle: &&dyn Oracle| {
+        let start = Instant::now();
+        oracle.prepare(&cases);
+        start.elapsed().as_secs_f64() / cases.len() as f64
+    };
+    panel.par_iter().map(timed).collect()
+}
+
+/// How many failures have kept their impacts.
+#[derive(Default)]
+struct Detailed(usize);
+
+impl Detailed {
+    /// The failure with its impacts, or without them where it is excused, or enough others have theirs.
+    fn keep(&mut self, failure: Failure, known: &[Known]) -> Failure {
+        let excuses = |finding: &Finding| known.iter().any(|entry| entry.excuses(&failure.named.case, finding));
+        if self.0 >= DETAILED || failure.findings.iter().all(excuses) {
+            return Failure { partings: Vec::new(), ..failure };
+        }
+        self.0 += 1;
+        failure
+    }
 }
 
 /// How many cases the oracles are told of before they are asked them.
 const AHEAD: usize = 128;
+/// Of how many failed cases the impacts are kept.
+pub(super) const DETAILED: usize = 200;
 
 impl Run {
     /// The run without what is known of it: findings that an entry excuses are none, and it is counted where each entry applies.
@@ -161,8 +195,16 @@ impl Run {
         };
         self.known = known.iter().map(|entry| entry.outcome(met(entry), failed(entry, &self.failures))).collect();
         for failure in &mut self.failures {
-            let case = &failure.named.case;
-            failure.findings.retain(|finding| !known.iter().any(|entry| entry.excuses(case, finding)));
+            let named = &failure.named;
+            failure.findings.retain(|finding| {
+                let excused = known.iter().find(|entry| entry.excuses(&named.case, finding));
+                if let Some(entry) = excused {
+                    self.outcomes.push_known(named, entry);
+                }
+                excused.is_none()
+            });
+            let is_left = |oracle: &str| failure.findings.iter().any(|finding| finding.oracles().contains(&oracle));
+            failure.partings.retain(|parting| is_left(&parting.answered.oracle));
         }
         self.failures.retain(|failure| !failure.findings.is_empty());
         self
@@ -182,6 +224,7 @@ impl Run {
         self.failures.extend(other.failures);
         self.known.iter_mut().zip(&other.known).for_each(|(mine, theirs)| mine.add(theirs));
         self.left_out.extend(other.left_out);
+        self.outcomes.add(other.outcomes);
     }
 
     /// A run from what was counted in it.
@@ -208,6 +251,7 @@ impl Run {
             known: Vec::new(),
             whole,
             left_out: Vec::new(),
+            outcomes: Outcomes::default(),
         }
     }
 }

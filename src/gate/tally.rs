@@ -96,9 +96,7 @@ impl Tally {
                 tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
             }
         }
-        // A case is judged when every history that an oracle gave is.
-        let histories = examination.answers.iter().filter(|answer| answer.observed().is_some()).count();
-        tally.judged = usize::from(histories > 0 && examination.judgements.len() == histories);
+        tally.judged = usize::from(examination.is_judged());
         for judgement in &examination.judgements {
             if let Some(answer) = examination.answers.get(judgement.place) {
                 tally.claims.insert(answer.oracle.clone(), judgement.calibration.clone());

@@ -13,6 +13,7 @@ mod pages;
 mod paths;
 mod readme;
 mod record;
+mod reports;
 mod rooms;
 mod surroundings;
 

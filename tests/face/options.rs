@@ -188,6 +188,9 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("chattering-time --omega 2 --eta 0.9", "--am 2", Refused(&["'--am' found; a similar argument exists: '--a'"])),
         ("verify --cases 1 --json -", "--full", Refused(&["--full", "stdout"])),
         ("verify --cases 1 --junit -", "--full", Refused(&["--full", "stdout"])),
+        ("verify --cases 1 --summary -", "--format github", Refused(&["--format github", "stdout"])),
+        ("verify --json same.out", "--summary same.out", Refused(&["summary = same.out", "--json"])),
+        ("verify --junit -", "--summary -", Refused(&["summary = -", "--junit"])),
         ("response SCENE --until 1", "--to 2", Refused(&["to = 2", "end of the response"])),
         (
             "chattering-time --a 1.2 --omega 2 --eta 0.92 --oracle printed",

@@ -153,7 +153,7 @@ fn audit(panel: &[&dyn Oracle], judges: &Judges, cases: &[Named], green: bool) -
     assert_eq!(again.failed.is_empty() && short == 0, green, "{again:?} {:?}", report.shortfalls);
     assert_eq!(json["verdict"], if green { "pass" } else { "fail" });
 
-    let junit = junit_cases(&report::junit(&report, cases).unwrap());
+    let junit = junit_cases(&report::junit(&report, cases, &run.outcomes).unwrap());
     let (whole, each) = junit.split_last().unwrap();
     assert_eq!(each.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(), names_of(cases));
     let red: BTreeSet<String> =

@@ -10,12 +10,15 @@ mod detection_floor;
 mod explained;
 mod faults;
 mod judge;
+mod junit;
 mod linearisation;
+mod mixed;
 mod planted_responses;
 mod reach;
 mod reports;
 mod responses;
 mod shrink;
+mod summary;
 
 #[path = "../effort/mod.rs"]
 mod effort;

@@ -7,6 +7,7 @@ use chattercheck::{
     cases::shaking::Shaking,
     gate::{
         judge::Judges,
+        outcome::Outcomes,
         report::{self, Report},
         responses::{self, BoutEnding, Finding, Law, Responder, What, Whole, Wrong},
         run::{self, Selection},
@@ -439,7 +440,7 @@ fn a_wrong_response_is_in_every_report() {
         .map(|failed| failed["name"].as_str().unwrap())
         .collect();
     assert_eq!(in_json, names);
-    let junit = super::audit::junit_cases(&report::junit(&report, &cases).unwrap());
+    let junit = super::audit::junit_cases(&report::junit(&report, &cases, &Outcomes::default()).unwrap());
     let failed: Vec<&str> =
         junit.iter().filter(|(_, failed)| failed.is_some()).map(|(name, _)| name.as_str()).collect();
     assert_eq!(failed, names);

@@ -10,6 +10,7 @@ use chattercheck::{
     faults::plant::{Plant, Planted},
     gate::{
         judge::Judges,
+        outcome::Outcomes,
         progress::Progress,
         report::{self, Report},
         responses,
@@ -81,7 +82,7 @@ fn what_the_responses_fall_short_of_is_a_failure_in_junit() {
     let of = responses::Report { shortfalls: vec![shortfall], ..responses::Report::default() };
     let report = report(&()).with_responses(Some(of));
     assert_eq!(report.verdict, Verdict::Fail);
-    let junit = report::junit(&report, &cases()).unwrap();
+    let junit = report::junit(&report, &cases(), &Outcomes::default()).unwrap();
     assert_eq!(junit_with(&junit, "failure"), ["shortfalls of the responses".to_owned()].into());
     assert!(junit.contains(&said) && report::text(&report).contains(&format!("SHORTFALL: {said}")), "{junit}");
 }
@@ -98,7 +99,7 @@ fn what_an_interruption_leaves_out_is_skipped() {
     let left_out: BTreeSet<String> =
         of_cases.left_out.iter().cloned().chain((1..=4).map(|n| format!("response/{n}"))).collect();
     let report = of_cases.with_responses(Some(of_responses));
-    let junit = report::junit(&report, &cases()).unwrap();
+    let junit = report::junit(&report, &cases(), &Outcomes::default()).unwrap();
     assert_eq!(junit_with(&junit, "skipped"), left_out);
     assert_eq!(junit_with(&junit, "failure"), BTreeSet::new(), "an interruption is an error, not a failure");
     assert_eq!(junit_with(&junit, "error").len(), 2);

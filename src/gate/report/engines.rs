@@ -122,7 +122,7 @@ impl Report {
 }
 
 /// Whether a failure points to this oracle, and not only because it broke.
-fn is_to_blame(name: &str, failure: &FailedCase) -> bool {
+pub(super) fn is_to_blame(name: &str, failure: &FailedCase) -> bool {
     match failure.cause() {
         Cause::Oracles(oracles) => oracles.iter().any(|oracle| oracle == name),
         Cause::Pairs(pairs) => pairs.iter().flatten().any(|oracle| oracle == name),

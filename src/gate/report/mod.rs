@@ -1,8 +1,13 @@
-//! What a run found, as data; and as text and JUnit. It counts and decides nothing itself: `shortfall` and `verdict` do.
+//! What a run found, as data; and as text, JUnit, Markdown and annotations. It counts and decides nothing itself: `shortfall` and `verdict` do.
 
+mod cut;
 mod engines;
+mod github;
 mod junit;
+mod listed;
+mod next;
 mod profiles;
+mod summary;
 mod tables;
 mod text;
 
@@ -22,9 +27,10 @@ use crate::{
         known::KnownFailure,
         ladder::Descent,
         pair::Pair,
+        parting::Parting,
         responses,
         roles::Roles,
-        run::Run,
+        run::{DETAILED, Run},
         shortfall::{NotJudged, Shortfall, shortfalls},
         tally::Reach,
         verdict::Verdict,
@@ -32,10 +38,15 @@ use crate::{
     measure::observables::Observable,
 };
 
+pub use cut::{cut, one_line};
 pub use engines::{Engine, EngineReport, Granted};
-pub use junit::junit;
+pub use github::{annotations, not_obeyed};
+pub use junit::{LARGEST as LARGEST_JUNIT, MOST_LISTED, junit};
+pub use listed::{Fate, Listed, listed};
+pub use next::next;
+pub use summary::summary;
 pub use tables::full;
-pub use text::{failure_text, finding_text, text};
+pub use text::{exercised, failure_text, finding_text, headline, narrow_and_left_out, text, verdict};
 
 /// The whole report. It holds no times and no names of machines: the same seed gives the same report, on any number of threads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -143,6 +154,9 @@ pub struct FailedCase {
     /// Commands that show it.
     #[serde(default)]
     pub see: Vec<String>,
+    /// The impacts around the first that is wrong, beside those of another; of the first failures only where there are many.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub partings: Vec<Parting>,
 }
 
 impl FailedCase {
@@ -154,6 +168,7 @@ impl FailedCase {
             sound: failure.sound.clone(),
             suspect_judges: failure.suspect_judges.clone(),
             see: failure.see.iter().map(|see| (roles.shown_by)(&see.oracle, &see.flags)).collect(),
+            partings: failure.partings.clone(),
         }
     }
 
@@ -173,7 +188,10 @@ impl Report {
     pub fn new(run: &Run, roles: &Roles) -> Self {
         let tally = &run.tally;
         let (shortfalls, not_judged) = shortfalls(run, roles);
-        let failures: Vec<FailedCase> = run.failures.iter().map(|failure| FailedCase::new(failure, roles)).collect();
+        let mut failures: Vec<FailedCase> =
+            run.failures.iter().map(|failure| FailedCase::new(failure, roles)).collect();
+        // A run that was put together of parts has more of them.
+        failures.iter_mut().skip(DETAILED).for_each(|failure| failure.partings = Vec::new());
         // An engine that broke leaves its cases undecided.
         let broke = failures.iter().filter(|failure| failure.is_breakdown());
         let wrong = failures.len() - broke.clone().count();

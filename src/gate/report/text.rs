@@ -19,9 +19,11 @@ use crate::{
 
 /// The report in short: what came out, what was exercised, how narrow it was, what was left out, and what to do next.
 pub fn text(report: &Report) -> String {
-    let mut out = verdict(report);
-    let parts = [exercised(report), engines::lines(report), margins(report), of_responses(report), left_out(report)];
-    for line in parts.into_iter().flatten() {
+    let mut out = verdict(report) + "\n";
+    let line = |(head, said): (&str, String)| format!("  {head:12} {said}");
+    let parts = [exercised(report).into_iter().map(line).collect(), engines::lines(report)];
+    let rest = narrow_and_left_out(report).into_iter().map(line);
+    for line in parts.into_iter().flatten().chain(rest) {
         let _ = writeln!(out, "{line}");
     }
     if report.verdict != Verdict::Pass {
@@ -51,7 +53,8 @@ pub fn text(report: &Report) -> String {
 /// How many causes are shown, one case each.
 const CAUSES: usize = 5;
 
-fn verdict(report: &Report) -> String {
+/// What came out, in a line.
+pub fn verdict(report: &Report) -> String {
     let (cases, oracles) = (report.reach.cases, report.oracles.len());
     let responses = report.responses.as_ref();
     let said = match report.verdict {
@@ -82,10 +85,11 @@ fn verdict(report: &Report) -> String {
             failed + &short + &wrong
         }
     };
-    format!("{}: {said} (chattercheck {}, seed {})\n", report.verdict, report.version, report.seed)
+    format!("{}: {said} (chattercheck {}, seed {})", report.verdict, report.version, report.seed)
 }
 
-fn exercised(report: &Report) -> Vec<String> {
+/// What was exercised, in lines of a head and what is said; a line without a head belongs to the one before.
+pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
     let reach = &report.reach;
     let count = |(name, count): (&str, &usize)| format!("{count} {name}");
     let generators = reach.by_generator.iter().map(|(generator, n)| count((generator.name(), n)));
@@ -98,10 +102,10 @@ fn exercised(report: &Report) -> Vec<String> {
         .deepest_interval
         .map_or_else(String::new, |deepest| format!(", compared down to intervals of {deepest:.0e}"));
     let mut lines = vec![
-        format!("  cases        {}", list(generators)),
-        format!("  parameters   {}", list(ranges.into_iter().flatten())),
-        format!("  histories    {}", list(endings)),
-        format!("  impacts      {}{deepest}", reach.impacts),
+        ("cases", list(generators)),
+        ("parameters", list(ranges.into_iter().flatten())),
+        ("histories", list(endings)),
+        ("impacts", format!("{}{deepest}", reach.impacts)),
     ];
     let judged = report.judged.asked > 0;
     let judged = judged.then(|| format!("{} cases by proven enclosures", report.judged.cases));
@@ -109,7 +113,7 @@ fn exercised(report: &Report) -> Vec<String> {
     let ladders = !report.ladders.is_empty();
     let ladders = ladders.then(|| format!("{held} of {} ladders fall at the order of theory", report.ladders.len()));
     if judged.is_some() || ladders.is_some() {
-        lines.push(format!("  judged       {}", list(judged.into_iter().chain(ladders))));
+        lines.push(("judged", list(judged.into_iter().chain(ladders))));
     }
     lines
 }
@@ -118,7 +122,7 @@ fn exercised(report: &Report) -> Vec<String> {
 const NARROWEST: usize = 3;
 
 /// The comparisons that came nearest to failing, one for an observable; `--full` has all pairs.
-fn margins(report: &Report) -> Vec<String> {
+fn margins(report: &Report) -> Vec<(&'static str, String)> {
     let worst = |observable: Observable| {
         let all = report.pairs.iter().filter_map(|pair| Some((observable, pair, pair.worst.get(&observable)?)));
         all.max_by(|(.., one), (.., two)| one.share.total_cmp(&two.share))
@@ -131,25 +135,23 @@ fn margins(report: &Report) -> Vec<String> {
         let [one, two] = &pair.oracles;
         let at = if figure.impact > 0 { format!(", impact {}", figure.impact) } else { String::new() };
         let head = if lines.is_empty() { "narrowest" } else { "" };
-        lines.push(format!(
-            "  {head:12} {:.0} % of what is allowed: {observable}, {one} : {two} ({case}{at})",
-            100.0 * share
-        ));
+        let share = 100.0 * share;
+        lines.push((head, format!("{share:.0} % of what is allowed: {observable}, {one} : {two} ({case}{at})")));
     }
     lines
 }
 
-/// What was exercised of whole responses.
-fn of_responses(report: &Report) -> Vec<String> {
-    let lines = report.responses.as_ref().map(responses::exercised).unwrap_or_default();
-    lines.into_iter().map(|(head, said)| format!("  {head:12} {said}")).collect()
+/// How narrow it was, what was exercised of whole responses, and what was left out, in lines as [`exercised`].
+pub fn narrow_and_left_out(report: &Report) -> Vec<(&'static str, String)> {
+    let of_responses = report.responses.as_ref().map(responses::exercised).unwrap_or_default();
+    [margins(report), of_responses, left_out(report)].into_iter().flatten().collect()
 }
 
-fn left_out(report: &Report) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut add = |head: &str, said: String| {
-        let head = if lines.iter().any(|line: &String| line.starts_with(&format!("  {head}"))) { "" } else { head };
-        lines.push(format!("  {head:12} {said}"));
+fn left_out(report: &Report) -> Vec<(&'static str, String)> {
+    let mut lines: Vec<(&str, String)> = Vec::new();
+    let mut add = |head, said: String| {
+        let head = if lines.iter().any(|(known, _)| *known == head) { "" } else { head };
+        lines.push((head, said));
     };
     let mut declined: Vec<(String, Vec<&str>)> = Vec::new();
     for (oracle, reasons) in &report.declines {
@@ -197,6 +199,15 @@ fn list(parts: impl IntoIterator<Item = String>) -> String {
 fn short(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
     if rounded != 0.0 && rounded.abs() < 1e-3 { format!("{rounded:e}") } else { format!("{rounded}") }
+}
+
+/// What was wrong with a failed case, in a line: the first finding, and how many more there are.
+pub fn headline(failure: &FailedCase) -> String {
+    let first = failure.findings.first().map_or_else(String::new, finding_text);
+    match failure.findings.len() {
+        0 | 1 => first,
+        count => format!("{first}; and {} more findings", count - 1),
+    }
 }
 
 /// One failed case, as someone has to read it whose run just went red.

@@ -31,7 +31,7 @@ pub use failure::Failure;
 pub use laws::Law;
 pub use reach::Example;
 pub use report::{Failed, Report, exercised, failures_text, methods_text};
-pub use run::{Selection, run, shakings};
+pub use run::{Selection, run, shakings, timed};
 pub use scene::scene_text;
 pub use shortfall::Shortfall;
 pub use shrink::shrink;

@@ -1,5 +1,7 @@
 //! Many responses on all threads, and one report that does not depend on how many there were.
 
+use std::time::Instant;
+
 use rayon::prelude::*;
 
 use super::{examine::examine, failure::Failure, report::Report, tally::Tally, whole::Responder};
@@ -36,28 +38,40 @@ pub fn run(
     shakings: &[(String, Shaking)],
     progress: &impl Progress,
 ) -> (Report, Vec<Failure>) {
+    let (report, failures, _) = timed(responders, shakings, progress);
+    (report, failures)
+}
+
+/// The same, and how many seconds each of those that were run took.
+pub fn timed(
+    responders: &[&dyn Responder],
+    shakings: &[(String, Shaking)],
+    progress: &impl Progress,
+) -> (Report, Vec<Failure>, Vec<f64>) {
     let examinations: Vec<_> = shakings
         .par_iter()
         .map(|(_, shaking)| {
             if progress.is_interrupted() {
                 return None;
             }
+            let start = Instant::now();
             let examination = examine(responders, shaking);
             progress.done(!examination.findings.is_empty());
-            Some(examination)
+            Some((examination, start.elapsed().as_secs_f64()))
         })
         .collect();
     let mut tally = Tally::default();
-    let mut failures = Vec::new();
+    let (mut failures, mut seconds) = (Vec::new(), Vec::new());
     for ((name, shaking), examination) in shakings.iter().zip(examinations) {
-        let Some(examination) = examination else {
+        let Some((examination, took)) = examination else {
             tally.left_out.push(name.clone());
             continue;
         };
+        seconds.push(took);
         tally.add(name, &examination);
         if !examination.findings.is_empty() {
             failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
         }
     }
-    (Report::new(tally, &failures), failures)
+    (Report::new(tally, &failures), failures, seconds)
 }

@@ -1,0 +1,23 @@
+//! What to do next.
+
+use super::Report;
+use crate::gate::verdict::Verdict;
+
+/// What to do next, in a sentence. Replay files go to the folder of this name, if there are any.
+pub fn next(report: &Report, replays: Option<&str>) -> String {
+    let failed = report.failures.len() + report.responses.as_ref().map_or(0, |of| of.failures.len());
+    match report.verdict {
+        Verdict::Pass => format!("another seed: --seed {}", report.seed.wrapping_add(1)),
+        Verdict::Undecided if !report.broke.is_empty() => {
+            "mend what broke the engine; `chattercheck engine ask` shows the talk about a case".to_owned()
+        }
+        Verdict::Undecided => "run it again to its end; --partition K/N runs a share of the cases".to_owned(),
+        Verdict::Fail if failed == 0 => "see which oracles the shortfalls name".to_owned(),
+        Verdict::Fail => match replays {
+            Some(folder) => format!(
+                "the smallest cases that still fail go to {folder}; run them again with `chattercheck replay`, scenes with `chattercheck response`"
+            ),
+            None => "the commands beside each case show its histories".to_owned(),
+        },
+    }
+}
