@@ -1,14 +1,7 @@
-"""What every peer is asked, how its answer is judged before it is timed, and the rows that come of it.
-
-A peer is a module with TOOL, VERSION and SETTINGS: name -> function(epsilon, omega, eta, impacts) that returns
-(times, intervals, why it ended, right-hand sides). Usage: measure.py MODULE DIR N, for its N-th setting.
-"""
+"""How an answer is judged before it is timed, and the rows that come of it."""
 
 import csv
-import importlib
-import json
-import sys
-import time
+import math
 
 RESOLVED = 0.01  # an impact is resolved while its interval is within 1 %
 REPEATS, LONG = 5, 4.0  # what takes longer than LONG seconds is timed once
@@ -19,18 +12,29 @@ def read(folder):
     cases = {}
     with open(f"{folder}/cases.csv", newline="") as file:
         for row in csv.DictReader(file):
-            numbers = [float(row[key]) for key in ("epsilon", "omega", "eta")]
+            question = {key: float(row[key]) for key in ("epsilon", "omega", "eta")} | {"impacts": int(row["impacts"])}
+            question["alpha"] = float(row["alpha"]) if row["alpha"] else None
             tau_ch = float(row["tau_ch"]) if row["tau_ch"] else None
-            cases[row["case"]] = {"parameters": (*numbers, int(row["impacts"])), "tau_ch": tau_ch, "truth": []}
+            cases[row["case"]] = {"question": question, "tau_ch": tau_ch, "ending": row["ending"], "truth": []}
     with open(f"{folder}/truth.csv", newline="") as file:
         for row in csv.DictReader(file):
             cases[row["case"]]["truth"].append((float(row["tau"]), float(row["interval"])))
     return cases
 
 
+def told(reply):
+    """The times and the intervals of a reply, and why its list ends."""
+    if "decline" in reply:
+        return [], [], f"declined: {reply['decline']['reason']}"
+    history = reply["history"]
+    times = [float(time) for time in history["time"]]
+    intervals = history.get("interval") or [time - before for before, time in zip([0.0, *times], times)]
+    return times, [float(interval) for interval in intervals], history.get("x-why", history["ending"])
+
+
 def judge(answer, case):
     """How many impacts are resolved, the worst error of time over the first 20, of the intervals that are resolved, and what went wrong."""
-    times, intervals, ended, *_ = answer
+    times, intervals, ended = answer
     resolved, worst_time, worst_interval = 0, 0.0, 0.0
     for found_time, found, (tau, interval) in zip(times, intervals, case["truth"]):
         error = abs(found / interval - 1.0)
@@ -48,14 +52,12 @@ def judge(answer, case):
     return resolved, worst_time, worst_interval, wrong
 
 
-def timed(run, parameters):
-    """Seconds for all of them: the best of some repeats of each, in processor time, so that what else runs on the machine counts little."""
-    best = [float("inf")] * len(parameters)
+def timed(engine, questions):
+    """Seconds for all of them, as the engine measures them: the best of some repeats of each."""
+    best = [float("inf")] * len(questions)
     for _ in range(REPEATS):
-        for index, of_one in enumerate(parameters):
-            start = time.thread_time()
-            run(*of_one)
-            best[index] = min(best[index], time.thread_time() - start)
+        for index, question in enumerate(questions):
+            best[index] = min(best[index], engine.ask(**question).get("ns", math.inf) * 1e-9)
         if sum(best) > LONG:
             break
     return sum(best)
@@ -85,14 +87,14 @@ def workload(cases):
     return {name: case for name, case in cases.items() if name.isdigit()}
 
 
-def throughput(peer, setting, cases):
+def throughput(engine, setting, cases):
     """The row of a peer: first judged, then timed."""
-    run = peer.SETTINGS[setting]
     listed = workload(cases).values()
-    judged = [judge(run(*case["parameters"]), case) for case in listed]
-    deep = judge(run(*cases["deep"]["parameters"]), cases["deep"])
-    seconds = timed(run, [case["parameters"] for case in listed])
-    return row(peer.TOOL, peer.VERSION, setting, judged, seconds, deep)
+    judged = [judge(told(engine.ask(**case["question"])), case) for case in listed]
+    deep = judge(told(engine.ask(**cases["deep"]["question"])), cases["deep"])
+    resolves_any = any(resolved for resolved, *_ in judged)
+    seconds = timed(engine, [case["question"] for case in listed]) if resolves_any else None
+    return row(engine.name, engine.version, setting, judged, seconds, deep)
 
 
 def close(intervals, last, eta):
@@ -108,40 +110,26 @@ def close(intervals, last, eta):
     return best[1]
 
 
-def work_precision(peer, setting, cases):
+def work_precision(engine, setting, cases):
     """Rows as those of work_precision.csv, one for each distance to the critical amplitude."""
-    run = peer.SETTINGS[setting]
     for name, case in cases.items():
         if not name.startswith("share "):
             continue
-        epsilon, omega, eta, impacts = case["parameters"]
-        answer = run(epsilon, omega, eta, impacts)
-        times, intervals, _, rhs = answer
+        question = case["question"]
+        reply = engine.ask(**question)
+        times, intervals, _ = answer = told(reply)
         resolved, *_, wrong = judge(answer, case)
-        tau_ch = close(list(intervals), times[-1], eta) if wrong is None and case["tau_ch"] else None
+        tau_ch = close(intervals, times[-1], question["eta"]) if wrong is None and case["tau_ch"] else None
         tau_40 = case["truth"][39][0]
         yield {
             "share": name.removeprefix("share "),
-            "epsilon": epsilon,
-            "family": f"{peer.TOOL} (peer)",
+            "epsilon": question["epsilon"],
+            "family": f"{engine.name} (peer)",
             "setting": setting,
             "impacts": len(times),
-            "rhs": rhs or "",
-            "seconds": f"{timed(run, [case['parameters']]):.3g}",
+            "rhs": reply.get("history", {}).get("x-rhs", ""),
+            "seconds": f"{timed(engine, [question]):.3g}",
             "tau_ch_error": "" if tau_ch is None else f"{abs(tau_ch / case['tau_ch'] - 1.0):.3g}",
             "impact_40_error": "" if resolved < 40 else f"{abs(times[39] / tau_40 - 1.0):.3g}",
             "outcome": wrong or "",
         }
-
-
-def main():
-    module, folder, index = sys.argv[1:]
-    peer = importlib.import_module(module)
-    setting = list(peer.SETTINGS)[int(index)]
-    cases = read(folder)
-    rows = {"peers": [throughput(peer, setting, cases)], "work_precision": list(work_precision(peer, setting, cases))}
-    print(json.dumps(rows))
-
-
-if __name__ == "__main__":
-    main()

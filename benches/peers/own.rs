@@ -1,7 +1,8 @@
-//! The cases that the peers are asked, with proven impacts, and the project's own oracles on the same cases. Run by `benches/peers/run.py`.
+//! The cases that the peers are asked, with proven impacts, and the project's own oracles on the same cases. Run by `benches/peers/run.py` and `record.py`.
 //!
-//! `peers cases DIR` writes `cases.csv` and `truth.csv`; `peers time DIR` prints a line of JSON for each oracle, with its answers, which are
-//! judged where those of the peers are, and with how long the workload took.
+//! `peers cases DIR` writes `cases.csv` and `truth.csv`; `peers grid DIR` those of the record of engines, of both models, into a folder for each;
+//! `peers time DIR` prints a line of JSON for each oracle, with its answers, which are judged where those of the peers are, and with how long the
+//! workload took.
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)] // A program of the benches: it ends at the first surprise.
 
 use std::{env, fs, hint::black_box, time::Instant};
@@ -11,7 +12,7 @@ use closed_form::{
     ClosedForm,
     batch::{Batch, InstructionSet, Rows, Sequence},
 };
-use contract::{Case, Decline, Ending, History, Model, Oracle};
+use contract::{Case, Decline, Ending, History, Model, Normalisation, Oracle, Slenderness};
 use enclosure::Enclosure;
 use ode::{Equation, Flights, Ode, Solver};
 use proptest::{
@@ -52,22 +53,51 @@ fn cases() -> Vec<(String, Case)> {
     cases
 }
 
-fn write_cases(folder: &str) {
-    let judge = Enclosure::new(Model::Linear);
+/// The grid of the record of engines: on both sides of the critical amplitude, of blocks that exist: `1 - eta` of one that neither slides nor
+/// bounces is `2 sin^2(alpha)` over its moment of inertia about a corner, which is at least 1.
+const BLOCKS: [(f64, f64); 3] = [(0.85, 0.35), (0.92, 0.25), (0.97, 0.2)];
+const FREQUENCIES: [f64; 2] = [0.7, 3.0];
+const OF_THE_WAY: [f64; 9] = [0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 1.03, 1.2, 1.6];
+const GRID_IMPACTS: usize = 80;
+
+fn grid() -> Vec<(String, Case)> {
+    let mut cases = Vec::new();
+    for ((eta, alpha), omega) in BLOCKS.into_iter().flat_map(|block| FREQUENCIES.map(|omega| (block, omega))) {
+        let critical = chattercheck::measure::critical::interpolated(omega, eta).unwrap();
+        for share in OF_THE_WAY {
+            let slenderness = Slenderness::new(alpha, Normalisation::Threshold).unwrap();
+            let case = Case::from_epsilon(share * critical, omega, eta).unwrap().with_slenderness(slenderness);
+            let name = format!("eta {eta}, alpha {alpha}, omega {omega}, share {share}");
+            cases.push((name, case.with_max_impacts(GRID_IMPACTS).unwrap()));
+        }
+    }
+    cases
+}
+
+fn write(folder: &str, cases: &[(String, Case)], model: Model) {
+    let judge = Enclosure::new(model);
     let (mut listed, mut truth) =
-        ("case,epsilon,omega,eta,impacts,tau_ch\n".to_owned(), "case,n,tau,interval\n".to_owned());
-    for (name, case) in cases() {
-        let history = judge.history(&case).expect("decided");
+        ("case,epsilon,omega,eta,alpha,impacts,tau_ch,ending\n".to_owned(), "case,n,tau,interval\n".to_owned());
+    for (name, case) in cases {
+        let history = judge.history(case).expect("decided");
         let tau_ch = history.chattering_time.map_or(String::new(), |time| time.value.to_string());
         let (epsilon, omega, eta, impacts) = (case.epsilon(), case.omega(), case.eta(), case.max_impacts());
-        listed += &format!("{name},{epsilon},{omega},{eta},{impacts},{tau_ch}\n");
+        let slenderness = case.slenderness().filter(|_| model == Model::Nonlinear);
+        let alpha = slenderness.map_or(String::new(), |slenderness| slenderness.alpha().to_string());
+        listed += &format!("{name:?},{epsilon},{omega},{eta},{alpha},{impacts},{tau_ch},{}\n", history.ending);
         for (n, impact) in (1..).zip(&history.impacts) {
-            truth += &format!("{name},{n},{},{:e}\n", impact.time, impact.interval);
+            truth += &format!("{name:?},{n},{},{:e}\n", impact.time, impact.interval);
         }
     }
     fs::create_dir_all(folder).unwrap();
     fs::write(format!("{folder}/cases.csv"), listed).unwrap();
     fs::write(format!("{folder}/truth.csv"), truth).unwrap();
+}
+
+fn write_grid(folder: &str) {
+    for (name, model) in [("linear", Model::Linear), ("nonlinear", Model::Nonlinear)] {
+        write(&format!("{folder}/{name}"), &grid(), model);
+    }
 }
 
 type Run = Box<dyn Fn(&Case) -> Result<History, Decline>>;
@@ -174,8 +204,9 @@ fn time_batch(cases: &[(String, Case)]) {
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["cases", folder] => write_cases(folder),
+        ["cases", folder] => write(folder, &cases(), Model::Linear),
+        ["grid", folder] => write_grid(folder),
         ["time", folder] => time(folder),
-        _ => panic!("peers cases DIR, or peers time DIR"),
+        _ => panic!("peers cases DIR, peers grid DIR, or peers time DIR"),
     }
 }

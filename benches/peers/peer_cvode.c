@@ -123,8 +123,8 @@ static int prepare(struct Solver *s, int method, double rtol, double atol)
 
 /* Lists up to `impacts` impacts. `how`: 0 one clock; 1 one clock, with the direction of the root, the
  * first step and the absolute tolerance, as a share of the rotation, given for each flight; 2 rescaled flights. */
-int follow(int how, int method, double rtol, double atol, double epsilon, double omega, double eta, int impacts, double *times,
-           double *intervals, int *count, long *evaluations)
+int follow(int how, int method, double rtol, double atol, double epsilon, double omega, double eta, double end, int impacts,
+           double *times, double *velocities, double *intervals, int *count, long *evaluations)
 {
     static struct Solver solvers[32];
     static struct { int how, method; double rtol, atol; } keys[32];
@@ -140,7 +140,7 @@ int follow(int how, int method, double rtol, double atol, double epsilon, double
         known++;
     }
     struct Flight *p = &s->flight;
-    double a = 1.0 + epsilon, end = acos(-1.0) / omega, tau = 0.0, rest = 0.0, velocity = 0.0;
+    double a = 1.0 + epsilon, tau = 0.0, rest = 0.0, velocity = 0.0;
     *p = (struct Flight){.i = -1.0, .a = a, .omega = omega, .psi = asin(1.0 / a), .is_rescaled = how == 2};
     p->delta = 2.0 * asin(sqrt(epsilon / (2.0 * a)));
     double *y = N_VGetArrayPointer(s->y);
@@ -176,9 +176,10 @@ int follow(int how, int method, double rtol, double atol, double epsilon, double
         double add = how == 2 ? interval + rest : interval, sum = tau + add;
         rest = how == 2 ? add - (sum - tau) : 0.0;
         tau = how == 2 ? sum : t;
-        times[*count] = tau;
-        intervals[*count] = interval;
         velocity = eta * speed;
+        times[*count] = tau;
+        velocities[*count] = velocity;
+        intervals[*count] = interval;
         p->i = -p->i;
     }
     return LISTED;

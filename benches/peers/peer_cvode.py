@@ -1,5 +1,7 @@
 """SUNDIALS CVODE: the library inside the wheel of scikit-sundae called from C, and through the wheel's own Python interface."""
 
+from rocking import AT_START, SILENT, WRONG_SIGN, serve, told
+
 import ctypes
 import glob
 import math
@@ -11,15 +13,14 @@ import numpy as np
 import sksundae
 from sksundae.cvode import CVODE
 
-TOOL, VERSION = "SUNDIALS CVODE", f"{sksundae.SUNDIALS_VERSION} (scikit-sundae {sksundae.__version__})"
 METHODS = {"Adams": 1, "BDF": 2}
 CLOCKS = {"one clock": 0, "careful start": 1, "rescaled flights": 2}
 ENDS = {
     0: "",
-    1: "silent: no event until T/2",
+    1: SILENT,
     2: "loud: the solver failed",
-    3: "event with a velocity of the wrong sign",
-    4: "event returned at the start time",
+    3: WRONG_SIGN,
+    4: AT_START,
 }
 
 
@@ -36,16 +37,18 @@ def library():
 
 
 FOLLOW = library().follow
-FOLLOW.argtypes = [ctypes.c_int] * 2 + [ctypes.c_double] * 5 + [ctypes.c_int] + [ctypes.c_void_p] * 4
+FOLLOW.argtypes = [ctypes.c_int] * 2 + [ctypes.c_double] * 6 + [ctypes.c_int] + [ctypes.c_void_p] * 5
 
 
 def from_c(clock, method, rtol, atol):
-    def run(epsilon, omega, eta, impacts):
-        times, intervals = np.empty(impacts), np.empty(impacts)
+    def run(case):
+        columns = [np.empty(case.impacts) for _ in range(3)]
         count, evaluations = ctypes.c_int(), ctypes.c_long()
-        places = (times.ctypes.data, intervals.ctypes.data, ctypes.addressof(count), ctypes.addressof(evaluations))
-        ended = FOLLOW(CLOCKS[clock], METHODS[method], rtol, atol, epsilon, omega, eta, impacts, *places)
-        return times[: count.value], intervals[: count.value], ENDS[ended], evaluations.value
+        places = (*(column.ctypes.data for column in columns), ctypes.addressof(count), ctypes.addressof(evaluations))
+        asked = (case.epsilon, case.omega, case.eta, case.end, case.impacts)
+        ended = FOLLOW(CLOCKS[clock], METHODS[method], rtol, atol, *asked, *places)
+        times, velocities, intervals = (column[: count.value] for column in columns)
+        return told(case, times, velocities, ENDS[ended], intervals, evaluations.value)
 
     return run
 
@@ -53,11 +56,12 @@ def from_c(clock, method, rtol, atol):
 def from_python(rtol, atol):
     """One clock, with the equation and the event in Python, as the wheel means it; a solver that is used again finds its first root again."""
 
-    def run(epsilon, omega, eta, impacts):
-        a = 1.0 + epsilon
-        psi, end, tau, velocity = math.asin(1.0 / a), math.pi / omega, 0.0, 0.0
+    def run(case):
+        omega, eta, end = case.omega, case.eta, case.end
+        a = 1.0 + case.epsilon
+        psi, tau, velocity = math.asin(1.0 / a), 0.0, 0.0
         flight = {"i": -1.0}
-        times, rhs = [], 0
+        times, velocities, rhs = [], [], 0
 
         def equation(t, y, dy):
             dy[0] = y[1]
@@ -68,19 +72,20 @@ def from_python(rtol, atol):
 
         event.terminal = [True]
         options = {"method": "Adams", "rtol": rtol, "atol": atol, "eventsfn": event, "num_events": 1, "max_num_steps": 20000}
-        while len(times) < impacts:
+        while len(times) < case.impacts:
             solver = CVODE(equation, **options)
             found = solver.solve(np.array([tau, end]), np.array([0.0, velocity]))
             rhs += found.nfev
             if not found.success or found.t_events is None:
                 ended = ENDS[1] if found.success else f"loud: {found.message}"
-                return times, np.diff(times, prepend=0.0), ended, rhs
+                return told(case, times, velocities, ended, rhs=rhs)
             landed, velocity = float(found.t_events[0]), eta * float(found.y_events[0][1])
             if landed <= tau:
-                return times, np.diff(times, prepend=0.0), ENDS[4], rhs
+                return told(case, times, velocities, AT_START, rhs=rhs)
             times.append(landed)
+            velocities.append(velocity)
             tau, flight["i"] = landed, -flight["i"]
-        return times, np.diff(times, prepend=0.0), "", rhs
+        return told(case, times, velocities, rhs=rhs)
 
     return run
 
@@ -95,3 +100,6 @@ SETTINGS = {
     },
     "Python, one clock, Adams, rtol 1e-12, atol 1e-15": from_python(1e-12, 1e-15),
 }
+
+if __name__ == "__main__":
+    serve("SUNDIALS CVODE", f"{sksundae.SUNDIALS_VERSION} (scikit-sundae {sksundae.__version__})", SETTINGS)

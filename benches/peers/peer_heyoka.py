@@ -1,13 +1,10 @@
 """heyoka.py: Taylor's method, compiled by LLVM, with a terminal event that turns the block over."""
 
+from rocking import SILENT, excitation, forcing, guess, serve, told
+
 import math
 
 import heyoka
-import numpy as np
-
-from rocking import excitation, forcing, guess
-
-TOOL, VERSION = "heyoka.py", heyoka.__version__
 
 
 def integrator(tol, cooldown, callback, parameters, right_hand_side):
@@ -33,9 +30,10 @@ def one_clock(tol, cooldown):
     found = {}
 
     def callback(solver, _):
-        found["times"].append(solver.time)
         solver.state[0] = 0.0
         solver.state[1] *= found["eta"]
+        found["times"].append(solver.time)
+        found["velocities"].append(solver.state[1])
         solver.pars[0] *= -1.0
         return len(found["times"]) < found["impacts"]
 
@@ -45,18 +43,18 @@ def one_clock(tol, cooldown):
 
     solver = integrator(tol, cooldown, callback, 4, right_hand_side)
 
-    def run(epsilon, omega, eta, impacts):
-        found.update(times=[], eta=eta, impacts=impacts)
-        a, delta = excitation(epsilon, omega)
+    def run(case):
+        omega = case.omega
+        found.update(times=[], velocities=[], eta=case.eta, impacts=case.impacts)
+        a, delta = excitation(case.epsilon, omega)
         solver.time, *solver.state[:] = lift_off(1e-3, a, omega, delta)
         solver.pars[:4] = (-1.0, a, omega, math.asin(1.0 / a))
         solver.reset_cooldowns()
-        outcome = solver.propagate_until(math.pi / omega)[0]
-        times = found["times"]
-        ended = "silent: no event until T/2"
-        if outcome != heyoka.taylor_outcome.time_limit:
-            ended = f"loud: {outcome.name}"
-        return times, np.diff(times, prepend=0.0), ended, None
+        outcome = solver.propagate_until(case.end)[0]
+        ended = ""
+        if len(found["times"]) < case.impacts:
+            ended = SILENT if outcome == heyoka.taylor_outcome.time_limit else f"loud: {outcome.name}"
+        return told(case, found["times"], found["velocities"], ended)
 
     return run
 
@@ -76,11 +74,12 @@ def rescaled(tol):
 
     solver = integrator(tol, 0.1, callback, 6, right_hand_side)
 
-    def run(epsilon, omega, eta, impacts):
-        a, delta = excitation(epsilon, omega)
-        end, i, velocity, tau, rest = math.pi / omega, -1.0, 0.0, 0.0, 0.0
-        times, intervals = [], []
-        for n in range(impacts):
+    def run(case):
+        omega, eta, end = case.omega, case.eta, case.end
+        a, delta = excitation(case.epsilon, omega)
+        i, velocity, tau, rest = -1.0, 0.0, 0.0, 0.0
+        times, velocities, intervals = [], [], []
+        for n in range(case.impacts):
             g, f, q = forcing(i, tau, a, omega, delta)
             time, rotation = guess(i, velocity, g, f, q, omega)
             start, chi, speed = 0.0, 0.0, velocity * time / rotation
@@ -97,17 +96,18 @@ def rescaled(tol):
                 landed.clear()
                 outcome = solver.propagate_until((end - tau - rest) / time, max_delta_t=1.5)[0]
             if not landed:
-                limit = outcome == heyoka.taylor_outcome.time_limit
-                return times, intervals, "silent: no event until T/2" if limit else f"loud: {outcome.name}", None
+                ended = SILENT if outcome == heyoka.taylor_outcome.time_limit else f"loud: {outcome.name}"
+                return told(case, times, velocities, ended, intervals)
             interval = time * landed["at"]
             total = tau + (interval + rest)
             rest = (interval + rest) - (total - tau)
             tau = total
-            times.append(tau)
-            intervals.append(interval)
             velocity = eta * landed["speed"] * rotation / time
+            times.append(tau)
+            velocities.append(velocity)
+            intervals.append(interval)
             i = -i
-        return times, intervals, "", None
+        return told(case, times, velocities, "", intervals)
 
     return run
 
@@ -122,3 +122,6 @@ SETTINGS = {
     "rescaled flights": rescaled(EPSILON),
     "rescaled flights, tol 1e-9": rescaled(1e-9),
 }
+
+if __name__ == "__main__":
+    serve("heyoka.py", heyoka.__version__, SETTINGS)

@@ -1,24 +1,24 @@
 """What one would write by hand: the closed form of Eq. 4, compiled by numba."""
 
+from rocking import SILENT, excitation, forcing, guess, serve, told
+
 import math
 
 import numba
 import numpy as np
 from numba import njit
 
-from rocking import excitation, forcing, guess
-
-TOOL, VERSION = "numba", numba.__version__
+# How a list ends: long enough, at the end of the time, or at a flight without a root.
+LISTED, TIME_IS_UP, NO_ROOT = 0, 1, 2
 
 
 @njit(cache=True)
-def local(epsilon, omega, eta, impacts):
+def local(epsilon, omega, eta, impacts, end):
     """Each flight as the Taylor series of its exact solution in local time, without its root at the start; Newton's method."""
     a, delta = excitation(epsilon, omega)
-    times, intervals = np.empty(impacts), np.empty(impacts)
+    times, velocities, intervals = np.empty(impacts), np.empty(impacts), np.empty(impacts)
     c = np.empty(64)
     tau, rest, velocity, i = 0.0, 0.0, 0.0, -1.0
-    half_period = math.pi / omega
     for n in range(impacts):
         g, f, q = forcing(i, tau, a, omega, delta)
         if n < 5:
@@ -60,22 +60,22 @@ def local(epsilon, omega, eta, impacts):
         rest = (s + rest) - (total - tau)
         tau = total
         if not (s > 0.0 and speed < 0.0):
-            return times[:n], intervals[:n], 1
-        if tau >= half_period:
-            return times[:n], intervals[:n], 0
-        times[n], intervals[n] = tau, s
+            return times[:n], velocities[:n], intervals[:n], NO_ROOT
+        if tau >= end:
+            return times[:n], velocities[:n], intervals[:n], TIME_IS_UP
         velocity = eta * i * speed
+        times[n], velocities[n], intervals[n] = tau, velocity, s
         i = -i
-    return times, intervals, 0
+    return times, velocities, intervals, LISTED
 
 
 @njit(cache=True)
-def printed(epsilon, omega, eta, impacts):
+def printed(epsilon, omega, eta, impacts, end):
     """Eqs 6-13 as they are printed, in absolute time; Newton's method from the parabola."""
     a = 1.0 + epsilon
     psi = math.asin(1.0 / a)
     scale = a / (omega * omega + 1.0)
-    times, intervals = np.empty(impacts), np.empty(impacts)
+    times, velocities, intervals = np.empty(impacts), np.empty(impacts), np.empty(impacts)
     tau, velocity, i = 0.0, 0.0, -1.0
     for n in range(impacts):
         xi, dxi = scale * math.sin(omega * tau + psi), scale * omega * math.cos(omega * tau + psi)
@@ -96,20 +96,21 @@ def printed(epsilon, omega, eta, impacts):
             at -= step
             before = abs(step)
         if not (at > tau and i * slope < 0.0):
-            return times[:n], intervals[:n], 1
-        if at >= math.pi / omega:
-            return times[:n], intervals[:n], 0
-        times[n], intervals[n] = at, at - tau
-        tau = at
+            return times[:n], velocities[:n], intervals[:n], NO_ROOT
+        if at >= end:
+            return times[:n], velocities[:n], intervals[:n], TIME_IS_UP
         velocity = eta * slope
+        times[n], velocities[n], intervals[n] = at, velocity, at - tau
+        tau = at
         i = -i
-    return times, intervals, 0
+    return times, velocities, intervals, LISTED
 
 
 def peer(solve):
-    def run(epsilon, omega, eta, impacts):
-        times, intervals, failed = solve(epsilon, omega, eta, impacts)
-        return times, intervals, "stops: no root after the start" if failed else "", None
+    def run(case):
+        *columns, ended = solve(case.epsilon, case.omega, case.eta, case.impacts, case.end)
+        times, velocities, intervals = columns
+        return told(case, times, velocities, {TIME_IS_UP: SILENT, NO_ROOT: "stops: no root after the start"}.get(ended, ""), intervals)
 
     return run
 
@@ -118,3 +119,6 @@ SETTINGS = {
     "closed form in local time": peer(local),
     "Eq. 6 as printed": peer(printed),
 }
+
+if __name__ == "__main__":
+    serve("numba", numba.__version__, SETTINGS)

@@ -1,7 +1,11 @@
-"""The linear rocking block (Eq. 4), as the peers need it: the excitation without cancellation, and units for each flight.
+"""The linear rocking block (Eq. 4), as the peers need it: the excitation without cancellation, units for each flight, and how an answer is told.
 
 phi'' = phi - i - f(tau), f = a sin(omega tau + psi), sin(psi) = 1/a. Written again, apart from the oracles of the repository.
 """
+
+import sys
+
+import protocol  # first: what a simulator prints must not reach standard output
 
 import math
 
@@ -56,3 +60,28 @@ def scaled_acceleration(xi, chi, i, time, rotation, g, f, q, omega):
     s, c = math.sin(half), math.cos(half)
     g_now = g + 2.0 * s * (q * c - f * s)
     return time / rotation * time * (rotation * chi - g_now)
+
+
+# How a list ends that is shorter than was asked for. No event until the time is up: for the peer the block is rocking. The others know that they are lost.
+SILENT = "silent: no event until the end"
+AT_START = "event returned at the start time"
+WRONG_SIGN = "event with a velocity of the wrong sign"
+
+
+def told(case, times, velocities, ended="", intervals=None, rhs=None):
+    """A list of impacts as an answer; `ended` says why it is shorter than was asked for."""
+    ending = {"": "limit-reached", SILENT: case.still_rocking}.get(ended, "lost")
+    notes = {name: value for name, value in (("why", ended), ("rhs", rhs)) if value}
+    return protocol.History(times, velocities, ending, intervals, notes=notes)
+
+
+def serve(tool, version, settings):
+    """Puts the setting that the command line names under the protocol; a setting is a function of a case."""
+    if len(sys.argv) != 2 or sys.argv[1] not in settings:
+        sys.exit("\n".join([f"usage: {sys.argv[0]} SETTING, with one of", *settings]))
+    run = settings[sys.argv[1]]
+
+    def answer(case):
+        return run(case) if case.epsilon > 0.0 else protocol.History([], [], "never-rocks")
+
+    protocol.serve(tool, version, answer)

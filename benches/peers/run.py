@@ -1,28 +1,23 @@
 """Asks the peers and the project's own oracles the same cases, in one run, and writes one row for each setting.
 
+The peers are the engines of data/engines/peers.toml that have the linear block; they are asked through the protocol, as the gate asks them.
 Usage: run.py [OUT], after `cargo build --release --example peers`; OUT is data/record/peers unless given. See README.md.
 """
 
 import csv
 import datetime
-import importlib
 import json
 import os
 import platform
-import resource
-import signal
 import subprocess
 import sys
 
 import measure
+from talk import HERE, ROOT, Broke, Engine, manifest
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(HERE))
 OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
 CASES = os.path.join(ROOT, "target", "peers")
-PEERS = ["peer_numba", "peer_heyoka", "peer_cvode", "peer_scipy"]
 PATIENCE = 120  # seconds of processor time for a setting, everything included
-SLEEP = 3600  # and of the clock, for one that does nothing
 
 COLUMNS = {
     "peers": "tool,version,setting,cases,cases_lost,impacts,impacts_per_s,closed_form_ratio,worst_time_error_20,"
@@ -42,22 +37,16 @@ def own():
         yield measure.row("chattercheck", "0.1.0", answer["setting"], judged, answer["seconds"], deep)
 
 
-def ask(module, index):
-    """What a peer says in a process of its own, which may fail or hang."""
-    command = [sys.executable, os.path.join(HERE, "measure.py"), module, CASES, str(index)]
-
-    def limit():
-        resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
-
+def ask(entry, cases):
+    """What a peer answers, judged and timed; how it failed if it did."""
+    setting = entry["run"][-1]
     try:
-        answer = subprocess.run(command, capture_output=True, text=True, timeout=SLEEP, cwd=HERE, preexec_fn=limit)
-    except subprocess.TimeoutExpired:
-        return f"timed out after {SLEEP} s"
-    if answer.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        return f"timed out after {PATIENCE} s"
-    if answer.returncode:
-        return f"error: {(answer.stderr.strip().splitlines() or ['no message'])[-1]}"
-    return json.loads(answer.stdout.splitlines()[-1])
+        with Engine(entry, PATIENCE) as engine:
+            rows = [measure.throughput(engine, setting, cases)]
+            return {"peers": rows, "work_precision": list(measure.work_precision(engine, setting, cases))}
+    except Broke as broke:
+        failed = {"tool": entry["name"], "setting": setting, "outcome": str(broke)}
+        return {"peers": [failed], "work_precision": []}
 
 
 def write(folder, name, rows):
@@ -77,7 +66,7 @@ def table(rows):
     for row in sorted(rows, key=lambda row: -float(row.get("impacts_per_s") or 0)):
         numbers = [row.get(name, "") or "-" for name in ("impacts_per_s", "closed_form_ratio", "worst_time_error_20")]
         lost = f"{row['cases_lost']} of {row['cases']}" if "cases" in row else "-"
-        cells = [f"{row['tool']} {row['version']}", row["setting"], *numbers, lost, row.get("impacts_resolved", "-"), row["outcome"]]
+        cells = [f"{row['tool']} {row.get('version', '')}", row["setting"], *numbers, lost, row.get("impacts_resolved", "-"), row["outcome"]]
         lines.append("| " + " | ".join(map(str, cells)) + " |")
     return "\n".join([when_and_where(), "", *lines]) + "\n"
 
@@ -97,15 +86,11 @@ def main():
     os.makedirs(out, exist_ok=True)
     subprocess.run([OWN, "cases", CASES], check=True)
     tables = {"peers": list(own()), "work_precision": []}
-    for module in PEERS:
-        peer = importlib.import_module(module)
-        for index, setting in enumerate(peer.SETTINGS):
-            print(f"{peer.TOOL}: {setting}", file=sys.stderr)
-            answer = ask(module, index)
-            if isinstance(answer, str):
-                failed = {"tool": peer.TOOL, "version": peer.VERSION, "setting": setting, "outcome": answer}
-                answer = {"peers": [failed], "work_precision": []}
-            for name, rows in answer.items():
+    cases = measure.read(CASES)
+    for entry in manifest():
+        if entry["model"] == "linear":
+            print(entry["name"], file=sys.stderr)
+            for name, rows in ask(entry, cases).items():
                 tables[name] += rows
     fastest = float(tables["peers"][0]["impacts_per_s"])  # the closed form is asked first
     for row in tables["peers"]:
