@@ -24,7 +24,6 @@ class Shaking:
 
     def __init__(self, case):
         self.omega, self.r = case.omega, math.sqrt(case.epsilon * (2.0 + case.epsilon))
-        # As many steps as half a period has, and as many more as the horizon is longer.
         self.step = math.pi / case.omega / STEPS
         self.steps = round(case.end / self.step)
         if self.steps > 20 * STEPS:
@@ -33,6 +32,16 @@ class Shaking:
     def __call__(self, time):
         angle = self.omega * time
         return math.cos(angle) + self.r * math.sin(angle)
+
+
+class Push:
+    """A steady push of nine tenths of what starts the rocking, for 200 steps."""
+
+    def __init__(self, step):
+        self.step, self.steps = step, 200
+
+    def __call__(self, time):
+        return 0.9
 
 
 class Body:
@@ -52,22 +61,22 @@ class Body:
 
 
 def by_rotation(states, step, eta):
-    """Impacts in a row of states (time, phi, phi'), one a step: where phi changes its sign, reached with the velocity of the state before.
+    """Flights in a row of states (time, phi, phi'), one a step: phi changes its sign, reached with the velocity of the state before.
 
-    For simulators that keep the floor rigid. Yields (time, velocity after it) at an impact and None at any other step.
+    For floors that are rigid. Yields each state, and with the step in which a flight ends (when, the velocity after it, how high it went).
     """
-    side, before, is_up = -1.0, (0.0, 0.0, 0.0), False
+    side, before, height = -1.0, (0.0, 0.0, 0.0), 0.0
     for state in states:
         _, phi, velocity = state
-        is_up = is_up or side * phi > 0.0
-        landed = None
-        if is_up and side * phi < 0.0:
-            start, height, speed = before
-            fall = abs(height / speed) if speed * side < 0.0 else step
-            landed = (start + min(fall, step), velocity)
-            side, is_up = -side, False
+        ended = None
+        if height > 0.0 and side * phi < 0.0:
+            start, above, speed = before
+            fall = abs(above / speed) if speed * side < 0.0 else step
+            ended = (start + min(fall, step), velocity, height)
+            side, height = -side, 0.0
+        height = max(height, side * phi)
         before = state
-        yield state, landed
+        yield state, ended
 
 
 def by_rate(states, step, eta):
@@ -75,48 +84,58 @@ def by_rate(states, step, eta):
 
     For floors that give: the corner that carries sinks, so the other one lands before phi = 0.
     """
-    side, peak, when, is_up, before, landing = -1.0, 0.0, 0.0, False, 0.0, None
+    side, peak, when, height, before, landing = -1.0, 0.0, 0.0, 0.0, 0.0, None
     usual = 3.0 * step  # what a step changes phi' by without an impact
     for state in states:
-        time, _, velocity = state
+        time, phi, velocity = state
         closing = -side * velocity
-        if closing < 0.0:
-            is_up = True
+        is_up = height > 0.0
         if is_up and closing > peak:
             peak, when = closing, time
-        landed = None
         if landing is None and is_up and peak > 0.0 and closing < 0.5 * (1.0 + eta) * peak:
             landing = when + 0.5 * step
+        ended = None
         if landing is not None and abs(velocity - before) < usual:
-            landed = (landing, before)
-            side, peak, is_up, landing = -side, 0.0, -side * -velocity < 0.0, None
+            ended = (landing, before, height)
+            side, peak, height, landing = -side, 0.0, 0.0, None
+        if side * velocity > 0.0:
+            height = max(height, abs(phi))
         before = velocity
-        yield state, landed
+        yield state, ended
 
 
-def listed(case, step, states, impacts=by_rotation):
-    """The impacts as an answer. A flight of fewer than LEAST steps ends the list: what is shorter is not seen. What then never moves again by more than
-    such a flight is at rest, from where it moved last.
+def listed(case, simulate, flights, give=None):
+    """The impacts as an answer. `simulate` is a function of a shaking that yields states.
+
+    What is not seen is not listed: flights of fewer than LEAST steps, or slower than what a step changes the velocity by, and what follows them; and at the end of the list what goes no higher than `give`, by
+    which the floor gives; measured with a steady push unless it is known. A block that goes no higher than that is at rest, from the last impact on.
     """
-    times, velocities = [], []
-    still, phi, moved, is_listing = (LEAST * step) ** 2, 0.0, 0.0, True
-    for (time, phi, velocity), landed in impacts(states, step, case.eta):
+    shaking = Shaking(case)
+    if give is None:
+        give = max(abs(phi) for _, phi, _ in simulate(Push(shaking.step)))
+    still = max((LEAST * shaking.step) ** 2, 3.0 * give)
+    seen, is_seen, phi = [], True, 0.0
+    for (_, phi, velocity), ended in flights(simulate(shaking), shaking.step, case.eta):
         if not (abs(phi) < 10.0 and abs(velocity) < 1e6):
-            return protocol.History(times, velocities, "overturned" if math.isfinite(phi) else "lost")
-        if abs(phi) > still:
-            moved = time
-        if landed and is_listing:
-            is_listing = landed[0] - (times[-1] if times else 0.0) >= LEAST * step
-            if is_listing:
-                times.append(landed[0])
-                velocities.append(landed[1])
-                if len(times) == case.impacts:
-                    return protocol.History(times, velocities, "limit-reached")
-    if abs(phi) > still:
+            break
+        if ended and is_seen:
+            is_long = ended[0] - (seen[-1][0] if seen else 0.0) >= LEAST * shaking.step
+            is_seen = is_long and abs(ended[1]) > 0.1 * shaking.step
+            if is_seen:
+                seen.append(ended)
+    while seen and seen[-1][2] <= max(3.0 * give, shaking.step**2):
+        seen.pop()
+    seen = seen[: case.impacts]
+    times, velocities = [time for time, *_ in seen], [velocity for _, velocity, _ in seen]
+    if len(seen) == case.impacts:
+        return protocol.History(times, velocities, "limit-reached")
+    if not abs(phi) < 10.0:
+        return protocol.History(times, velocities, "overturned" if math.isfinite(phi) else "lost")
+    if abs(phi) > (still if is_seen else 100.0 * still):
         return protocol.History(times, velocities, case.still_rocking)
-    if not times:
+    if not seen:
         return protocol.History([], [], "lost", notes={"why": "it never rocked"})
-    return protocol.History(times, velocities, "at-rest", tau_ch=max(moved, times[-1]))
+    return protocol.History(times, velocities, "at-rest", tau_ch=times[-1], notes={"give": give})
 
 
 def serve(name, version, answer, model):

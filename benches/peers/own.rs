@@ -58,7 +58,7 @@ fn cases() -> Vec<(String, Case)> {
 const BLOCKS: [(f64, f64); 3] = [(0.85, 0.35), (0.92, 0.25), (0.97, 0.2)];
 const FREQUENCIES: [f64; 2] = [0.7, 3.0];
 const OF_THE_WAY: [f64; 9] = [0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 1.03, 1.2, 1.6];
-const GRID_IMPACTS: usize = 80;
+const GRID_IMPACTS: usize = 300;
 
 fn grid() -> Vec<(String, Case)> {
     let mut cases = Vec::new();

@@ -1,9 +1,12 @@
 """MuJoCo: a box on a plane, in the plane (two slides and a hinge), shaken (see block.py). Its contacts are soft; they are made as stiff as the step allows."""
 
-from block import Body, Shaking, by_rate, by_rotation, listed, serve  # first: what a simulator prints must not reach standard output
+from block import Body, by_rate, listed, serve  # first: what a simulator prints must not reach standard output
+
+import os
 
 import mujoco
 
+SOFT = float(os.environ.get("SOFT", 2))  # the time in which a contact gives way, in steps; MuJoCo takes no less than 2
 
 WORLD = """
 <mujoco>
@@ -22,21 +25,20 @@ WORLD = """
 
 
 def answer(case):
-    shaking = Shaking(case)
     body = Body(case)
-    step = shaking.step
-    text = WORLD.format(step=repr(step), solref=repr(2.0 * step), h=repr(body.half_height), b=repr(body.half_width), inertia=repr(body.inertia))
-    model = mujoco.MjModel.from_xml_string(text)
-    data = mujoco.MjData(model)
 
-    def states():
+    def simulate(shaking):
+        step = shaking.step
+        measures = {"step": step, "solref": SOFT * step, "h": body.half_height, "b": body.half_width, "inertia": body.inertia}
+        model = mujoco.MjModel.from_xml_string(WORLD.format(**{name: repr(value) for name, value in measures.items()}))
+        data = mujoco.MjData(model)
         for n in range(shaking.steps):
             model.opt.gravity[:] = (-body.shake * shaking((n + 0.5) * step), 0.0, -body.gravity)
             mujoco.mj_step(model, data)
             # About y, from z to x: to the right is positive for both.
             yield (n + 1) * step, data.qpos[2] / case.alpha, data.qvel[2] / case.alpha
 
-    return listed(case, step, states(), by_rate if __import__('os').environ.get('RATE') else by_rotation)
+    return listed(case, simulate, by_rate)
 
 
 if __name__ == "__main__":

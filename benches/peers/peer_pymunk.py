@@ -1,16 +1,20 @@
 """Pymunk (Chipmunk2D, doubles): a rectangle on a floor that is shaken (see block.py)."""
 
-from block import Body, Shaking, by_rate, by_rotation, listed, serve  # first: what a simulator prints must not reach standard output
+from block import Body, by_rate, listed, serve  # first: what a simulator prints must not reach standard output
+
+import os
 
 import pymunk
 
+SLOP = float(os.environ.get("SLOP", 1e-9))  # how deep contacts sink; without any they flicker
 
 
 def world(case):
     body = Body(case)
     space = pymunk.Space()
     space.iterations = 50
-    space.collision_slop = 1e-9  # how deep contacts sink; 0 lets them flicker
+    space.collision_slop = SLOP
+    space.collision_bias = 0.0  # how much of a depth beyond that is left after a second
     block = pymunk.Body(1.0, body.inertia)
     b, h = body.half_width, body.half_height
     shape = pymunk.Poly(block, [(-b, -h), (b, -h), (b, h), (-b, h)])
@@ -23,17 +27,15 @@ def world(case):
 
 
 def answer(case):
-    shaking = Shaking(case)
-    body, space, block = world(case)
-
-    def states():
+    def simulate(shaking):
+        body, space, block = world(case)
         for n in range(shaking.steps):
             space.gravity = (-body.shake * shaking((n + 0.5) * shaking.step), -body.gravity)
             space.step(shaking.step)
             # Turning to the left is negative for the paper and positive for Chipmunk.
             yield (n + 1) * shaking.step, -block.angle / case.alpha, -block.angular_velocity / case.alpha
 
-    return listed(case, shaking.step, states(), by_rate if __import__('os').environ.get('RATE') else by_rotation)
+    return listed(case, simulate, by_rate)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import sys
 import measure
 from talk import HERE, ROOT, Broke, Engine, manifest
 
-OWN = os.path.join(ROOT, "target", "release", "examples", "peers")
+OWN = os.environ.get("OWN", os.path.join(ROOT, "target", "release", "examples", "peers"))
 CASES = os.path.join(ROOT, "target", "peers")
 PATIENCE = 120  # seconds of processor time for a setting, everything included
 
