@@ -16,6 +16,7 @@ import protocol
 
 IMPACT = 2  # the type of an event
 THETA = float(os.environ.get("THETA", 0.5))  # of Moreau's scheme
+RTOL = os.environ.get("RTOL")  # of LSODAR, if not Siconos's own
 
 
 def moreau(case):
@@ -52,10 +53,11 @@ def events(case):
     """
     omega, r = case.omega, math.sqrt(case.epsilon * (2.0 + case.epsilon))
     start = 0.01 * 4.0 * r / omega / (1.0 + r)
-    jerk, snap = r * omega, -omega * omega
     shaking = (math.cos(omega * start) + r * math.sin(omega * start), omega * (r * math.cos(omega * start) - math.sin(omega * start)))
-    gap = (jerk * start**3 / 6.0 + snap * start**4 / 24.0, jerk * start**2 / 2.0 + snap * start**3 / 6.0)
-    system = sk.LagrangianLinearTIDS(np.array([gap[0], shaking[0]]), np.array([gap[1], shaking[1]]), np.eye(2))
+    # The third to the sixth derivative of u at the start.
+    derivatives = (r * omega, -(omega**2), r * omega * (1.0 - omega**2), omega**2 * (omega**2 - 1.0))
+    gap, rate = (sum(d * start ** (k - n) / math.factorial(k - n) for k, d in enumerate(derivatives, 3)) for n in (0, 1))
+    system = sk.LagrangianLinearTIDS(np.array([gap, shaking[0]]), np.array([rate, shaking[1]]), np.eye(2))
     system.setKPtr(np.array([[-1.0, -1.0], [0.0, omega * omega]]))
     system.setFExtPtr(np.array([-1.0, 0.0]))
     stiffness = system.K()  # a view
@@ -64,7 +66,10 @@ def events(case):
     model.insertDynamicalSystem(system)
     model.link(floor, system)
     simulation = sk.EventDriven(model, sk.TimeDiscretisation(start, (case.end - start) / 200.0))
-    simulation.insertIntegrator(sk.LsodarOSI())
+    integrator = sk.LsodarOSI()
+    if RTOL:
+        integrator.setTol(1, float(RTOL), 1e-3 * float(RTOL))
+    simulation.insertIntegrator(integrator)
     simulation.insertNonSmoothProblem(sk.LCP(), sk.SICONOS_OSNSP_ED_IMPACT)
     simulation.insertNonSmoothProblem(sk.LCP(), sk.SICONOS_OSNSP_ED_SMOOTH_ACC)
     simulation.initialize()
