@@ -138,10 +138,10 @@ def listed(case, simulate, flights, give=None):
     return protocol.History(times, velocities, "at-rest", tau_ch=times[-1], notes={"give": give})
 
 
-def serve(name, version, answer, model):
+def serve(name, version, answer, model, finish=protocol.as_it_is):
     """Puts a simulator under the protocol. Without an amplitude above the threshold there is nothing to simulate."""
 
     def rocking(case):
         return answer(case) if case.epsilon > 0.0 else protocol.History([], [], "never-rocks")
 
-    protocol.serve(name, version, rocking, (model,))
+    protocol.serve(name, version, rocking, (model,), finish=finish)

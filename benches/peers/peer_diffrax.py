@@ -15,7 +15,7 @@ import optimistix
 jax.config.update("jax_enable_x64", True)
 
 
-def flight(rtol, atol):
+def flight(rtol, atol, smallest):
     """A compiled flight from `start` on: whether phi came back before `end`, when, and the velocity there."""
 
     def field(t, y, parameters):
@@ -27,7 +27,7 @@ def flight(rtol, atol):
         i, *_, start = args
         return jnp.where(t > start, i * y[0], 1.0)
 
-    event = diffrax.Event(above_the_base, optimistix.Newton(1e-13, 1e-13, optimistix.rms_norm), direction=False)
+    event = diffrax.Event(above_the_base, optimistix.Newton(rtol=1e-13, atol=smallest, norm=optimistix.rms_norm), direction=False)
 
     @jax.jit
     def fly(start, end, first, velocity, i, a, omega, psi):
@@ -50,7 +50,8 @@ def flight(rtol, atol):
 
 
 def flights(rtol, atol, is_local):
-    fly = flight(rtol, atol)
+    # The root is the time of the impact: in local time it may be tiny.
+    fly = flight(rtol, atol, 1e-300 if is_local else 1e-15)
 
     def run(case):
         omega, eta = case.omega, case.eta
@@ -60,7 +61,7 @@ def flights(rtol, atol, is_local):
         while len(times) < case.impacts:
             start, phase = (0.0, omega * tau + psi) if is_local else (tau, psi)
             # A first step that is shorter than the flight; diffrax chooses the later ones.
-            pull = abs(i + a * math.sin(omega * tau + psi))
+            pull = max(abs(i + a * math.sin(omega * tau + psi)), 1e-300)
             first = min(0.1 / omega, 0.1, 0.5 * abs(velocity) / pull) if velocity else 0.01 / max(omega, 1.0)
             is_event, is_stuck, at, speed, some = fly(start, case.end - (tau - start), first, velocity, i, a, omega, phase)
             steps += int(some)

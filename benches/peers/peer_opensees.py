@@ -42,14 +42,27 @@ def begin_analysis():
     ops.analysis("Transient")
 
 
+def stepped(step):
+    """Whether a step is done; where Newton's method goes to and fro over the kink of the spring, by another algorithm, as users of OpenSees do."""
+    if ops.analyze(1, step) == 0:
+        return True
+    for algorithm in ("KrylovNewton", "ModifiedNewton", "NewtonLineSearch"):
+        ops.algorithm(algorithm)
+        parts = 1 if algorithm != "NewtonLineSearch" else 10
+        if all(ops.analyze(1, step / parts) == 0 for _ in range(parts)):
+            ops.algorithm("NewtonLineSearch")
+            return True
+    return False
+
+
 def answer(case):
     def simulate(shaking):
         oscillator(case)
         begin_analysis()
         side = -1.0
         for n in range(shaking.steps):
-            if ops.analyze(1, shaking.step) != 0:
-                raise ArithmeticError(f"OpenSees: no convergence at step {n}")
+            if not stepped(shaking.step):
+                raise ArithmeticError(f"no convergence at step {n}")
             phi, velocity = ops.nodeDisp(2, 1), ops.nodeVel(2, 1)
             if side * phi < 0.0 and side * velocity < 0.0:
                 side, velocity = -side, velocity * case.eta

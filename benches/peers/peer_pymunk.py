@@ -39,4 +39,4 @@ def answer(case):
 
 
 if __name__ == "__main__":
-    serve("Pymunk", f"{pymunk.version} (Chipmunk {pymunk.chipmunk_version})", answer, "nonlinear")
+    serve("Pymunk", pymunk.version, answer, "nonlinear")

@@ -13,6 +13,7 @@ import numpy as np
 import siconos.kernel as sk
 
 import protocol
+from closing import closed
 
 IMPACT = 2  # the type of an event
 THETA = float(os.environ.get("THETA", 0.5))  # of Moreau's scheme
@@ -95,4 +96,4 @@ def events(case):
 SETTINGS = {"Moreau-Jean": moreau, "event-driven, LSODAR": events}
 
 if __name__ == "__main__":
-    serve("Siconos", version("siconos"), SETTINGS[sys.argv[1]], "linear")
+    serve("Siconos", version("siconos"), SETTINGS[sys.argv[1]], "linear", closed)
