@@ -94,7 +94,21 @@ fn write(folder: &str, cases: &[(String, Case)], model: Model) {
     fs::write(format!("{folder}/truth.csv"), truth).unwrap();
 }
 
+/// The grid as a file of cases for `chattercheck verify --case-file`.
+fn case_file(cases: &[(String, Case)]) -> String {
+    let table = |(name, case): &(String, Case)| {
+        let alpha = case.slenderness().map_or(f64::NAN, |slenderness| slenderness.alpha());
+        let (epsilon, omega, eta) = (case.epsilon(), case.omega(), case.eta());
+        format!(
+            "[[case]]\nname = {name:?}\nwhy = \"The grid of data/record/engines.md\"\nepsilon = {epsilon:?}\nomega = {omega:?}\neta = {eta:?}\nalpha = {alpha:?}\nimpacts = {GRID_IMPACTS}\n"
+        )
+    };
+    cases.iter().map(table).collect::<Vec<_>>().join("\n")
+}
+
 fn write_grid(folder: &str) {
+    fs::create_dir_all(folder).unwrap();
+    fs::write(format!("{folder}/cases.toml"), case_file(&grid())).unwrap();
     for (name, model) in [("linear", Model::Linear), ("nonlinear", Model::Nonlinear)] {
         write(&format!("{folder}/{name}"), &grid(), model);
     }
