@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use anyhow::bail;
 use chattercheck::{
     cases::generate::Named,
     gate::{
@@ -37,6 +38,19 @@ pub(super) enum Format {
 }
 
 impl Conclusion<'_> {
+    /// Finds out whether all that is asked for can be said.
+    ///
+    /// # Errors
+    /// When stdout is for a file, and something that is printed there is asked for.
+    pub fn check(&self, files: &Targets) -> anyhow::Result<()> {
+        for (option, is_given) in [("--full", self.full), ("--format github", self.format == Format::Github)] {
+            if is_given && files.take_stdout() {
+                bail!("{option} is not used where stdout is for a file (- as FILE); it is for the report for people");
+            }
+        }
+        Ok(())
+    }
+
     /// Prints the report and writes its files. A check that disagreed is told by the status, even where nothing can be written.
     pub fn give(&self, report: &Report, cases: &[Named], outcomes: &Outcomes, files: &Targets) -> Status {
         let tables = if self.full { format!("\n{}", report::full(report)) } else { String::new() };

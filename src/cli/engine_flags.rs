@@ -1,6 +1,7 @@
 //! The engines of a run: the flags that name them, and what is made of these.
 
 use std::{
+    fs,
     io::BufWriter,
     path::{Path, PathBuf},
     sync::Arc,
@@ -9,12 +10,15 @@ use std::{
 use anyhow::{Context as _, bail};
 use chattercheck::{
     engines::{
-        Entry, Fleet, Manifest,
+        Entry, Fleet, Manifest, Started,
         record::{Keeper, Recording},
     },
     faults::explain::explain,
-    gate::{explanation::Explanation, guests::Guests, known::Known, roles::Roles, tally::Tally},
+    gate::{
+        explanation::Explanation, guests::Guests, known::Known, partition::EngineAsked, roles::Roles, tally::Tally,
+    },
     panel::{self, Panel, Role},
+    stored::sha256,
 };
 use clap::Args;
 use contract::{Invalid, Model, Oracle};
@@ -38,6 +42,7 @@ pub(super) struct EngineFlags {
 /// The engines that are asked for, not started yet.
 pub(super) struct Asked<'a> {
     manifest: &'a Path,
+    checksum: String,
     entries: Vec<Entry>,
     record: Option<&'a Path>,
 }
@@ -46,6 +51,8 @@ pub(super) struct Asked<'a> {
 pub(super) struct Engines {
     pub fleet: Fleet,
     manifest: PathBuf,
+    /// Of the manifest.
+    checksum: String,
     record: Option<Record>,
 }
 
@@ -76,9 +83,11 @@ impl EngineFlags {
     /// When the manifest has something wrong in it, or an engine has the name of an oracle.
     pub fn read(&self) -> anyhow::Result<Asked<'_>> {
         let Some(path) = &self.engines else {
-            return Ok(Asked { manifest: Path::new(""), entries: Vec::new(), record: None });
+            let (manifest, checksum) = (Path::new(""), String::new());
+            return Ok(Asked { manifest, checksum, entries: Vec::new(), record: None });
         };
         let manifest = Manifest::read(path)?;
+        let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
         let entries: Vec<Entry> = match &self.only {
             Some(name) => vec![manifest.engine(name)?.clone()],
             None => manifest.engines,
@@ -89,7 +98,7 @@ impl EngineFlags {
                 bail!("{}: name: {name:?} is the name of an oracle (see `chattercheck oracles`)", path.display());
             }
         }
-        Ok(Asked { manifest: path, entries, record: self.record.as_deref() })
+        Ok(Asked { manifest: path, checksum: sha256(&text), entries, record: self.record.as_deref() })
     }
 }
 
@@ -116,7 +125,10 @@ impl Asked<'_> {
         let record = self.record.map(Record::new).transpose()?;
         let keeper = record.as_ref().map_or_else(Keeper::default, |record| Keeper::of(&record.recording));
         match Fleet::start(&self.entries, sensitive, &keeper) {
-            Ok(fleet) => Ok(Some(Engines { fleet, manifest: self.manifest.to_owned(), record })),
+            Ok(fleet) => {
+                let (manifest, checksum) = (self.manifest.to_owned(), self.checksum);
+                Ok(Some(Engines { fleet, manifest, checksum, record }))
+            }
             Err(broke) => {
                 for (name, broke) in broke {
                     note(format_args!("chattercheck: {name}: {broke}"));
@@ -160,6 +172,26 @@ impl Engines {
         let model = self.fleet.engine(name)?.entry.launch.model;
         let samples = tally.samples(name).filter(|samples| samples.has_wrong())?;
         Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
+    }
+
+    /// The engines, as far as the verdict on them depends on more than their answers.
+    pub fn asked(&self) -> Vec<EngineAsked> {
+        let asked = |started: &Started| EngineAsked {
+            engine: started.described(),
+            model: match started.entry.launch.model {
+                Model::Linear => "linear",
+                Model::Nonlinear => "nonlinear",
+            }
+            .to_owned(),
+            may_decline: started.entry.may_decline,
+            manifest: self.checksum.clone(),
+        };
+        self.fleet.engines.iter().map(asked).collect()
+    }
+
+    /// The manifest, as it was given; nothing without one.
+    pub fn path(&self) -> String {
+        self.manifest.display().to_string()
     }
 
     /// The flag that names the manifest, for commands that are shown.

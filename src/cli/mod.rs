@@ -14,11 +14,14 @@ mod estimate;
 mod files;
 mod followed;
 mod judge;
+mod merge;
 mod numbers;
 mod oracle_flags;
 mod oracles;
 mod output;
 mod paper;
+mod part_file;
+mod part_files;
 mod plan;
 mod reference;
 mod replay;
@@ -61,6 +64,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Verify(verify::Arguments),
+    Merge(merge::Arguments),
     Replay(replay::Arguments),
     Judge(judge::Arguments),
     Engine(engine::Arguments),
@@ -124,6 +128,7 @@ pub(crate) fn run() -> ExitCode {
     };
     let result = match cli.command {
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::Merge(arguments) => merge::run(&arguments),
         Command::Replay(arguments) => replay::run(&arguments),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Engine(arguments) => engine::run(&arguments),

@@ -39,7 +39,6 @@ pub(super) struct RunCases {
 pub(super) struct Chosen {
     pub selection: Selection,
     /// The user's own.
-    #[expect(dead_code, reason = "the part files of a later step name them")]
     pub own: Vec<Named>,
     /// Every case, in order.
     pub all: Vec<Named>,

@@ -37,6 +37,8 @@ pub(super) struct Responses {
 
 /// What is to be run: the methods of these oracles, and the responses.
 pub(super) struct Chosen {
+    /// How many of all parts.
+    asked: usize,
     methods: Vec<Stepped>,
     shakings: Vec<(String, Shaking)>,
 }
@@ -65,11 +67,22 @@ impl Responses {
         }
         let all = responses::shakings(&Selection { responses, seed });
         let costs: Vec<f64> = all.iter().map(|(_, shaking)| cost_of_response(shaking)).collect();
-        Ok(Chosen { methods, shakings: partition.of(all, &costs) })
+        Ok(Chosen { asked: responses, methods, shakings: partition.of(all, &costs) })
     }
 }
 
 impl Chosen {
+    /// How many there are in all parts.
+    pub fn asked(&self) -> usize {
+        self.asked
+    }
+
+    /// The names of the methods that are asked for them; none where none are run.
+    pub fn responders(&self) -> Vec<String> {
+        let asked = self.methods.iter().filter(|_| self.asked > 0);
+        asked.map(|method| method.name.clone()).collect()
+    }
+
     pub fn len(&self) -> usize {
         self.shakings.len()
     }

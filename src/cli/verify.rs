@@ -1,18 +1,18 @@
 use std::path::{Path, PathBuf};
 
-use anyhow::bail;
 use chattercheck::{
     cases::generate::Named,
     engines::Started,
     gate::{
         failure::{Failure, by_cause},
+        identity::Identity,
         judge::Judges,
         ladder,
-        partition::Partition,
+        partition::{Names, Part, Partition, Request},
         progress::Progress,
         replay::Replay,
         report::Report,
-        run,
+        run::{self, Run},
         shrink::{shrink, unshrunk},
     },
     panel,
@@ -27,6 +27,7 @@ use super::{
     engine_flags::EngineFlags,
     files::{check_folder, make_folder, write_numbered},
     output::note,
+    part_file::PartFile,
     report_files::ReportFiles,
     run_cases::{self, RunCases},
     verified_responses::Responses,
@@ -53,8 +54,11 @@ pub(super) struct Arguments {
     /// Run only the K-th of N shares of the cases
     #[arg(long, value_name = "K/N", default_value = "1/1", allow_hyphen_values = true)]
     partition: String,
+    /// Keep what this part of the run found in a file in DIR, for `chattercheck merge DIR`; a part that is there already is not run again
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["json", "junit", "summary", "full"])]
+    out: Option<PathBuf>,
     /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
-    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "summary", "replays", "format", "full"])]
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "summary", "replays", "format", "full", "out"])]
     list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
@@ -85,11 +89,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition));
     }
     let files = arguments.files.check(&[arguments.engines.manifest(), arguments.engines.record()])?;
-    for (option, is_given) in [("--full", arguments.full), ("--format github", arguments.format == Format::Github)] {
-        if is_given && files.take_stdout() {
-            bail!("{option} is not used where stdout is for a file (- as FILE); it is for the report for people");
-        }
-    }
+    let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays: Path::new(""), next: None };
+    conclusion.check(&files)?;
     let replays = arguments.replays()?;
     let Some(engines) = engines.start()? else { return Ok(Status::Failed) };
     let all = engines.beside(&panel);
@@ -102,7 +103,29 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let placed = chosen.part(&judges, partition);
     let has_engines = !engines.fleet.engines.is_empty();
     let responses = arguments.responses.chosen(&panel, chosen.whole && !has_engines, seed, partition)?;
-    if placed.is_empty() && responses.len() == 0 {
+    let request = Request {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        seed,
+        cases: chosen.selection.cases,
+        own: chosen.own.clone(),
+        whole: chosen.whole,
+        oracles: names(&all),
+        judges: names(&judges.oracles),
+        judge_every: every,
+        responses: responses.asked(),
+        responders: responses.responders(),
+        engines: engines.asked(),
+        all: Identity::of_all(&chosen.all),
+    };
+    let part_file = arguments.out.as_deref().map(|folder| PartFile::new(folder, partition)).transpose()?;
+    if let Some(file) = &part_file
+        && let Some(part) = file.there(&request)?
+    {
+        let status = file.again(part, &chosen.all, &conclusion, &files)?;
+        drop(all);
+        return Ok(status.after(engines.stop()));
+    }
+    if placed.is_empty() && responses.len() == 0 && part_file.is_none() {
         note(format_args!("chattercheck: nothing ran: nothing of the run falls to part {partition}"));
         return Ok(Status::Nothing.after(engines.stop()));
     }
@@ -118,15 +141,23 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     watch.end();
     let described = engines.fleet.engines.iter().map(Started::described).collect();
     let report = engines.with_roles(|roles| Report::new(&run, roles));
-    let report = report.with_engines(described, &run.tally).with_responses(of_responses);
+    let report = report.with_engines(described, &run.tally).with_responses(of_responses.clone());
     // Who has to stop has no time for it.
     let report =
         if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
     // First what was found: shrinking may take a while.
     let responses_run = report.responses.as_ref().map_or(&[][..], |of| &of.tally.names);
-    let outcomes = run.outcomes.with_responses(responses_run, response_seconds);
-    let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays, next: None };
-    let status = conclusion.give(&report, &cases, &outcomes, &files);
+    let outcomes = run.outcomes.clone().with_responses(responses_run, response_seconds);
+    let conclusion = Conclusion { replays, ..conclusion };
+    let status = match &part_file {
+        None => conclusion.give(&report, &cases, &outcomes, &files),
+        Some(file) => {
+            let named = Names { manifest: engines.path(), replays: replays.display().to_string() };
+            let run = Run { outcomes, ..run.clone() };
+            let part = Part { partition, request, named, run, responses: of_responses };
+            file.keep(&part, report, &conclusion, &files)
+        }
+    };
     // A disagreement stays one where its replay files can't be written.
     let part = partition.suffix();
     let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };
@@ -156,6 +187,10 @@ impl Arguments {
         }
         Ok(self.replays.as_deref().unwrap_or(Path::new(REPLAYS)))
     }
+}
+
+fn names(oracles: &[&dyn Oracle]) -> Vec<String> {
+    oracles.iter().map(|oracle| oracle.name().to_owned()).collect()
 }
 
 /// `all`, or how many cases are run for one that is judged.

@@ -15,13 +15,12 @@ use crate::{
     measure::asking::Reply,
 };
 
-/// What became of the cases of a run; of those that were left out nothing is known. Measured times are not stored.
+/// What became of the cases of a run; of those that were left out nothing is known.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Outcomes {
     cases: Vec<Outcome>,
     known: BTreeMap<String, Vec<KnownHere>>,
     /// How long each whole response took, in seconds as measured.
-    #[serde(skip)]
     responses: HashMap<String, f64>,
     /// Every word of a reason once: a run may have a million cases.
     #[serde(skip)]
@@ -36,10 +35,8 @@ pub struct Outcome {
     /// Whether every history that was given was judged, and there was one.
     pub is_judged: bool,
     /// How long everything took, in seconds, where that was measured.
-    #[serde(skip)]
     pub seconds: Option<f64>,
     /// The same of each oracle, in the order of the panel.
-    #[serde(skip)]
     of_each: Vec<f32>,
     /// The oracles that gave no history, by their places, and why not.
     without: Vec<(usize, Without)>,

@@ -17,7 +17,7 @@ pub struct Whole {
 /// `None` where there are no parts.
 pub fn join(parts: Vec<Part>, places: &HashMap<String, usize>) -> Option<Whole> {
     let mut parts = parts.into_iter();
-    let Part { mut run, mut responses, .. } = parts.next()?;
+    let Part { request, mut run, mut responses, .. } = parts.next()?;
     for part in parts {
         run.add(part.run);
         responses = match (responses, part.responses) {
@@ -25,6 +25,8 @@ pub fn join(parts: Vec<Part>, places: &HashMap<String, usize>) -> Option<Whole> 
             (mine, theirs) => mine.or(theirs),
         };
     }
+    // What was to be run is what was asked: a case that fell to no part is missing.
+    run.handed = request.all;
     let place = |name: &String| places.get(name).copied().unwrap_or(usize::MAX);
     run.failures.sort_by_cached_key(|failure| place(&failure.named.to_string()));
     run.left_out.sort_by_key(place);

@@ -5,6 +5,7 @@
 
 mod deal;
 mod join;
+mod of_part;
 mod part;
 mod request;
 
@@ -14,7 +15,7 @@ use contract::Invalid;
 
 pub use deal::{cost_of_case, cost_of_response, deal};
 pub use join::{Whole, join};
-pub use part::{KIND, Part, Place};
+pub use part::{KIND, Names, Part};
 pub use request::{EngineAsked, Request};
 
 /// Which of how many parts: the `K`-th of `N`.

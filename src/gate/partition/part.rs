@@ -19,7 +19,7 @@ pub struct Part {
     /// What the run was asked.
     pub request: Request,
     /// What the text of a report names.
-    pub named: Place,
+    pub named: Names,
     /// What was found in cases.
     pub run: Run,
     /// What was found in whole responses, where any were run.
@@ -29,7 +29,7 @@ pub struct Part {
 /// Where things are, as they were given: they are named in the text, and nothing depends on them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Place {
+pub struct Names {
     /// The manifest of engines; empty without.
     pub manifest: String,
     /// The folder of replay files.
@@ -43,7 +43,7 @@ struct Head {
     part: usize,
     parts: usize,
     request: Request,
-    named: Place,
+    named: Names,
 }
 
 impl Part {

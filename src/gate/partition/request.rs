@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     cases::{case_file, generate::Named},
-    gate::{identity::Identity, report::Engine},
+    gate::{identity::Identity, report::Engine, run::Selection},
     stored::{sha256, to_line},
 };
 
@@ -44,6 +44,8 @@ pub struct Request {
 pub struct EngineAsked {
     /// Who it says it is, its receipt, and what is granted it.
     pub engine: Engine,
+    /// The equation that it solves, `linear` or `nonlinear`.
+    pub model: String,
     /// The largest share of the cases of a run that it may decline.
     pub may_decline: f64,
     /// The checksum of the manifest that it is in.
@@ -51,6 +53,11 @@ pub struct EngineAsked {
 }
 
 impl Request {
+    /// Which cases it is made of, besides the user's own.
+    pub fn selection(&self) -> Selection {
+        Selection { cases: self.cases, seed: self.seed }
+    }
+
     /// What tells this request from every other.
     pub fn hash(&self) -> String {
         let fields: String = self.fields().into_iter().map(|(name, value)| format!("{name}={value}\n")).collect();
@@ -92,13 +99,13 @@ impl Request {
         ]
         .map(|(name, value)| (name.to_owned(), value))
         .to_vec();
-        for EngineAsked { engine, may_decline, manifest } in engines {
+        for EngineAsked { engine, model, may_decline, manifest } in engines {
             let Engine { name, says, receipt, .. } = engine;
             let receipt = if receipt.is_empty() { String::new() } else { format!("; {receipt}") };
             fields.push((format!("engine {name}"), format!("{says}{receipt}")));
             fields.push((format!("the manifest of {name}"), manifest.clone()));
             // What the manifest says, and what the engine said at its start.
-            fields.push((format!("what is granted {name}"), format!("{} {may_decline:?}", exact(engine))));
+            fields.push((format!("what is granted {name}"), format!("{} {model} {may_decline:?}", exact(engine))));
         }
         let Identity { cases, hash } = all;
         fields.push(("the cases, to the last bit".to_owned(), format!("{cases} with hash {hash:016x}")));
