@@ -39,11 +39,13 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let files = arguments.files.check(&[])?;
+    let found = part_files::files(&arguments.folder)?;
+    let taken = |path| ("another file than a part of the run", Some(path));
+    let files = arguments.files.check(&found.iter().map(|path| taken(path.as_path())).collect::<Vec<_>>())?;
     let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays: Path::new(""), next: None };
     conclusion.check(&files)?;
     let folder = arguments.folder.display();
-    let Parts { parts, wrong } = part_files::all(&arguments.folder)?;
+    let Parts { parts, wrong } = part_files::all(&arguments.folder, found);
     if parts.is_empty() && wrong.is_empty() {
         note(format_args!("chattercheck: nothing ran: there is no part-K-of-N.jsonl in {folder}"));
         return Ok(Status::Nothing);
@@ -63,7 +65,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 ///
 /// # Errors
 /// When there are no parts.
-pub(super) fn report(request: &Request, manifest: &str, parts: Vec<Part>, all: &[Named]) -> anyhow::Result<(Report, Outcomes)> {
+pub(super) fn report(
+    request: &Request,
+    manifest: &str,
+    parts: Vec<Part>,
+    all: &[Named],
+) -> anyhow::Result<(Report, Outcomes)> {
     let places = all.iter().enumerate().map(|(place, named)| (named.to_string(), place)).collect();
     let Whole { run, responses } = join(parts, &places).ok_or_else(|| anyhow!("there are no parts"))?;
     let engine = |name: &str| request.engines.iter().find(|asked| asked.engine.name == name);

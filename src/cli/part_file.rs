@@ -87,13 +87,7 @@ impl PartFile {
     ///
     /// # Errors
     /// Never, for a part that was read.
-    pub fn again(
-        &self,
-        part: Part,
-        all: &[Named],
-        conclusion: &Conclusion,
-        files: &Targets,
-    ) -> anyhow::Result<Status> {
+    pub fn again(&self, part: Part, all: &[Named], conclusion: &Conclusion, files: &Targets) -> anyhow::Result<Status> {
         note(format_args!("chattercheck: {} is there, whole and of this request: not run again", self.path.display()));
         let (request, named) = (part.request.clone(), part.named.clone());
         let (report, outcomes) = merge::report(&request, &named.manifest, vec![part], all)?;

@@ -22,14 +22,11 @@ pub(super) struct Parts {
     pub wrong: Vec<String>,
 }
 
-/// All parts in a folder and in the folders in it.
-///
-/// # Errors
-/// When a folder can't be read.
-pub(super) fn all(folder: &Path) -> anyhow::Result<Parts> {
+/// All parts in these files, which were found in `folder`.
+pub(super) fn all(folder: &Path, files: Vec<PathBuf>) -> Parts {
     let mut wrong = Vec::new();
     let mut read_parts: Vec<(PathBuf, Part)> = Vec::new();
-    for path in files(folder)? {
+    for path in files {
         match read(&path) {
             Ok(part) => read_parts.push((path, part)),
             Err(error) => wrong.push(format!("{}: {error:#}; delete it and run this part again", path.display())),
@@ -42,7 +39,7 @@ pub(super) fn all(folder: &Path) -> anyhow::Result<Parts> {
     let most = kinds.into_iter().max_by_key(|(_, count)| *count).map(|(kind, _)| kind);
     let of_most = read_parts.iter().find(|(_, part)| Some(kind(part)) == most);
     let Some((model_path, model)) = of_most.map(|(path, part)| (path.clone(), part.clone())) else {
-        return Ok(Parts { parts: Vec::new(), wrong });
+        return Parts { parts: Vec::new(), wrong };
     };
     let mut by_number: BTreeMap<usize, (PathBuf, Part)> = BTreeMap::new();
     for (path, part) in read_parts {
@@ -63,11 +60,14 @@ pub(super) fn all(folder: &Path) -> anyhow::Result<Parts> {
         }
     }
     wrong.extend(missing(folder, &by_number, model.partition.parts));
-    Ok(Parts { parts: by_number.into_values().map(|(_, part)| part).collect(), wrong })
+    Parts { parts: by_number.into_values().map(|(_, part)| part).collect(), wrong }
 }
 
-/// The files that are called as parts are.
-fn files(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+/// The files in a folder, and in the folders in it, that are called as parts are.
+///
+/// # Errors
+/// When a folder can't be read.
+pub(super) fn files(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let entries = |folder: &Path| -> anyhow::Result<Vec<PathBuf>> {
         let failed = || format!("cannot read the folder {}", folder.display());
         let entries = fs::read_dir(folder).with_context(failed)?;

@@ -1,7 +1,7 @@
 //! The guide: how the gate works, how to use it, and what was measured with it. Its Rust examples run as tests.
 //!
 //! - The gate: [how a verdict comes about](gate), [the judge](judge), [reading a red run](red), [what the gate catches](detection),
-//!   [expected divergences](divergences), [where cases come from](cases).
+//!   [expected divergences](divergences), [where cases come from](cases), [a run in parts, and in CI](parts).
 //! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [whole responses](responses), [the plan](plan).
 //! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [how fast it is](speed),
 //!   [other tools](peers).
@@ -18,6 +18,7 @@ macro_rules! links {
 [detection]: crate::guide::detection
 [divergences]: crate::guide::divergences
 [cases]: crate::guide::cases
+[parts]: crate::guide::parts
 [commands]: crate::guide::commands
 [methods]: crate::guide::methods
 [engines]: crate::guide::engines
@@ -45,7 +46,7 @@ macro_rules! chapters {
 }
 
 chapters! {
-    gate judge red detection divergences cases
+    gate judge red detection divergences cases parts
     commands engines methods scenes responses plan
     asymptotics critical paper speed peers
     add

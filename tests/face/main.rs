@@ -10,6 +10,7 @@ mod judged_lists;
 mod options;
 mod own_cases;
 mod pages;
+mod parts;
 mod paths;
 mod readme;
 mod record;

@@ -16,8 +16,9 @@ pub struct Whole {
 /// Adds parts up. Cases, of which `places` says where they are in the run, are in its order again; nothing of what was concluded in a part is kept.
 /// `None` where there are no parts.
 pub fn join(parts: Vec<Part>, places: &HashMap<String, usize>) -> Option<Whole> {
+    let count = parts.len();
     let mut parts = parts.into_iter();
-    let Part { request, mut run, mut responses, .. } = parts.next()?;
+    let Part { partition, request, mut run, mut responses, .. } = parts.next()?;
     for part in parts {
         run.add(part.run);
         responses = match (responses, part.responses) {
@@ -25,8 +26,10 @@ pub fn join(parts: Vec<Part>, places: &HashMap<String, usize>) -> Option<Whole> 
             (mine, theirs) => mine.or(theirs),
         };
     }
-    // What was to be run is what was asked: a case that fell to no part is missing.
-    run.handed = request.all;
+    // What was to be run by all parts is what was asked: a case that fell to none of them is missing.
+    if count == partition.parts {
+        run.handed = request.all;
+    }
     let place = |name: &String| places.get(name).copied().unwrap_or(usize::MAX);
     run.failures.sort_by_cached_key(|failure| place(&failure.named.to_string()));
     run.left_out.sort_by_key(place);
