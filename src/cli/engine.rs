@@ -3,6 +3,7 @@
 mod ask;
 mod check;
 mod new;
+mod planted;
 
 use std::path::{Path, PathBuf};
 
@@ -25,6 +26,7 @@ enum Command {
     Check(check::Arguments),
     Ask(ask::Arguments),
     New(new::Arguments),
+    Planted(planted::Arguments),
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
@@ -32,6 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Command::Check(arguments) => check::run(arguments),
         Command::Ask(arguments) => ask::run(arguments),
         Command::New(arguments) => new::run(arguments),
+        Command::Planted(arguments) => planted::run(arguments),
     }
 }
 

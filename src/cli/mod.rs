@@ -5,6 +5,7 @@ mod case_flags;
 mod chart;
 mod chattering_time;
 mod conclusion;
+mod confusion;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
@@ -75,6 +76,7 @@ enum Command {
     Reference(reference::Arguments),
     Tolerances(tolerances::Arguments),
     DetectionFloor(detection_floor::Arguments),
+    Confusion(confusion::Arguments),
     Diagnose(diagnose::Arguments),
     Chart(chart::Arguments),
     Paper(paper::Arguments),
@@ -139,6 +141,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Reference(arguments) => reference::run(&arguments),
         Command::Tolerances(arguments) => tolerances::run(&arguments),
         Command::DetectionFloor(arguments) => detection_floor::run(&arguments),
+        Command::Confusion(arguments) => confusion::run(&arguments),
         Command::Diagnose(arguments) => diagnose::run(&arguments),
         Command::Chart(arguments) => chart::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

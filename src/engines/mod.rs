@@ -10,6 +10,7 @@ mod granted;
 mod manifest;
 mod program;
 pub mod record;
+pub mod serve;
 mod spans;
 pub mod starter;
 mod table;

@@ -6,9 +6,11 @@
 //!   putting a [`stepper`] (or, for the series, a [`recursion`]) that makes it in the place of the oracle, under its name and with its claims.
 //! - A [`trial`] is the gate of `verify` on a fixed set of cases, with the answers of the honest oracles kept.
 //! - [`explain`] turns them round: which of them would explain what an engine answers.
+//! - The [`confusion`] matrix tells whether a mistake is named by what would explain it.
 //! - The [`floor`] is the smallest size at which the gate is red.
 
 pub mod catalogue;
+pub mod confusion;
 pub mod explain;
 pub mod floor;
 pub mod plant;

@@ -20,6 +20,8 @@ pub enum Plant {
     Stepper(fn(f64) -> Wrong),
     /// A [`recursion`] that makes the fault takes the place of the series.
     Series(fn(f64) -> Lost),
+    /// Another oracle answers in its place, with its claims.
+    Instead(fn() -> Box<dyn Oracle>),
 }
 
 impl Plant {
@@ -65,6 +67,7 @@ impl Oracle for Planted<'_> {
                 false => self.honest.history(case),
             },
             Plant::Stepper(wrong) => Ok(stepper::history(case, &wrong(self.size), &self.honest.history(case)?)),
+            Plant::Instead(other) => Ok(claimed(other().history(case)?, &self.honest.history(case)?)),
             Plant::Series(lost) => Ok(recursion::history(case, &lost(self.size), &self.honest.history(case)?)),
         }
     }
@@ -72,4 +75,17 @@ impl Oracle for Planted<'_> {
     fn sensitivities(&self, case: &Case) -> Option<Vec<Sensitivity>> {
         self.honest.sensitivities(case)
     }
+}
+
+/// A history with the claims of the honest one; of impacts that this lacks, those of its last.
+fn claimed(mut history: History, honest: &History) -> History {
+    for (n, impact) in history.impacts.iter_mut().enumerate() {
+        if let Some(theirs) = honest.impacts.get(n).or(honest.impacts.last()) {
+            impact.uncertainty = theirs.uncertainty;
+        }
+    }
+    if let Some(time) = &mut history.chattering_time {
+        time.uncertainty = 1e-14 * time.value;
+    }
+    history
 }

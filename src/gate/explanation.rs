@@ -48,12 +48,17 @@ impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { fault, as_if, explained, of, left, .. } = self;
         write!(f, "as if {as_if}: explains {explained} of {of} failing cases; what is left is {left:.0e} ({fault}")?;
-        if let Some(FaultSize { meaning, value, natural }) = &self.size {
-            match natural {
-                None => write!(f, ", {meaning} {value}")?,
-                Some(_) if (1e-3..1e4).contains(&value.abs()) => write!(f, ", {meaning}: {value:.6}")?,
-                Some(_) => write!(f, ", {meaning}: {value:.6e}")?,
+        match &self.size {
+            Some(FaultSize { meaning, value, natural: None }) => write!(f, ", {meaning} {value}")?,
+            // What it is where the mistake is really made goes without saying.
+            Some(FaultSize { meaning, value, natural: Some(natural) }) if (value / natural - 1.0).abs() > 1e-9 => {
+                if (1e-3..1e4).contains(&value.abs()) {
+                    write!(f, ", {meaning}: {value:.6}")?;
+                } else {
+                    write!(f, ", {meaning}: {value:.6e}")?;
+                }
             }
+            _ => {}
         }
         f.write_str(")")?;
         if self.spoiled > 0 { write!(f, "; but it would spoil {} that are right", self.spoiled) } else { Ok(()) }

@@ -346,3 +346,47 @@ fn an_engine_that_does_not_start_leaves_no_verdict() {
     assert_eq!(status, 2);
     assert!(err.contains("\"taylor\" is the name of an oracle"), "{err}");
 }
+
+/// What mistake an engine makes is said in words, and what it is good for; where no mistake explains it, that is said.
+#[test]
+fn the_mistake_of_an_engine_is_named_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let planted = |words: &str| {
+        let run = format!("{:?}, \"engine\", \"planted\", {words}", env!("CARGO_BIN_EXE_chattercheck"));
+        let manifest = format!("[[engine]]\nname = \"mine\"\nrun = [{run}]\nmodel = \"linear\"\n");
+        fs::write(folder.join("engines.toml"), manifest).unwrap();
+    };
+    planted("\"none\"");
+    let (status, out, err) = verify(folder, "--full");
+    assert_eq!((status, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains("mine: the relative error of its intervals by depth.") && !out.contains("as if"), "{out}");
+    let right = report(folder)["engines"][0].clone();
+    assert!(right["explanations"].is_null(), "{right}");
+    assert_eq!(right["profile"]["right"], right["answered"]);
+
+    planted("\"eta is off\", \"--size\", \"2e-4\", \"--oracle\", \"closed-form\"");
+    let (status, out, _) = verify(folder, "");
+    assert_eq!(status, 1);
+    let words = "as if the coefficient of restitution were rounded or mistyped: explains ";
+    assert!(out.contains(words) && out.contains("(eta is off, relative error: 2.000000e-4)"), "{out}");
+    assert!(out.contains("right in ") && out.contains("next to a_cr, in units of a_cr - 1: "), "{out}");
+    let wrong = report(folder)["engines"][0].clone();
+    assert_eq!(wrong["explanations"][0]["fault"], "eta is off");
+    assert_eq!(wrong["explanations"][0]["explained"], wrong["explanations"][0]["of"]);
+
+    shell(folder, &answering(r#""history":{"time":[0.5],"velocity":[0.1],"ending":"at-rest"}"#), "");
+    let (status, out, _) = verify(folder, "");
+    assert_eq!(status, 1);
+    assert!(out.contains("nothing in the catalogue of mistakes explains it"), "{out}");
+    assert_eq!(report(folder)["engines"][0]["explanations"], serde_json::json!([]));
+
+    let (status, out, _) = chattercheck(folder, "engine planted");
+    assert_eq!(status, 0);
+    assert!(out.contains("as if the velocity kept its sign at one impact"), "{out}");
+    for (arguments, words) in [("engine planted none --size 1", "fault = none"), ("engine planted x", "fault = x")] {
+        let (status, _, err) = chattercheck(folder, arguments);
+        assert_eq!(status, 2);
+        assert!(err.contains(words) && err.contains("`chattercheck engine planted`"), "{err}");
+    }
+}

@@ -3,7 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use assert_cmd::Command;
-use chattercheck::{faults::catalogue::catalogue, gate::run, panel};
+use chattercheck::{
+    faults::catalogue::{catalogue, of_engines},
+    gate::run,
+    panel,
+};
 
 use super::pages::read;
 
@@ -60,4 +64,16 @@ fn the_exponents_in_the_guide_are_those_measured() {
         let expected = [format!("{:.6}", found["formula"]), format!("{:.6}", found["stepping"]), coefficients];
         assert_eq!(row[1..], expected, "eta = {}", row[0]);
     }
+}
+
+#[test]
+fn the_confusion_matrix_has_every_mistake_of_an_engine_and_none_is_taken_for_another() {
+    let kept = read("data/record/explained.md");
+    let planted: BTreeSet<(&str, &str)> = rows(&kept).iter().skip(2).map(|row| (row[0], row[1])).collect();
+    let mistakes = of_engines();
+    let known: BTreeSet<(&str, &str)> = mistakes.iter().map(|fault| (fault.name, fault.oracle.as_str())).collect();
+    assert_eq!(planted, known, "run `chattercheck confusion --format markdown` again");
+    assert!(!kept.contains("MISNAMED"));
+    let missed = rows(&kept).iter().filter(|row| row[3] == "MISSED").count();
+    assert!(10 * missed <= known.len(), "{missed} are missed");
 }

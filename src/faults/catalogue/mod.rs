@@ -8,6 +8,7 @@ mod formulas;
 mod parameters;
 mod series;
 mod slenderness;
+mod strangers;
 mod tail;
 
 use contract::Model;
@@ -42,6 +43,12 @@ pub fn catalogue<'a>(oracles: impl Iterator<Item = (&'a str, Model)>) -> Vec<Fau
     let mut faults: Vec<Fault> = everywhere.chain(once.into_iter().flatten()).collect();
     faults.retain(|fault| names().any(|name| name == fault.oracle));
     faults
+}
+
+/// The mistakes that an engine can make: the faults of a stepper of each equation and of the series, and what only a stranger gets wrong.
+pub fn of_engines() -> Vec<Fault> {
+    let oracles = [(STEPPER, Model::Linear), (SERIES, Model::Linear), (NONLINEAR, Model::Nonlinear)];
+    catalogue(oracles.into_iter()).into_iter().chain(strangers::all()).collect()
 }
 
 fn amount(name: &'static str, as_if: &'static str, meaning: &'static str, natural: f64, plant: Plant) -> Fault {

@@ -6,7 +6,7 @@ use super::{Fault, amount, within};
 use crate::faults::plant::Plant;
 
 /// The case with other numbers.
-fn with(case: &Case, epsilon: f64, omega: f64, eta: f64) -> Result<Case, Invalid> {
+pub(super) fn with(case: &Case, epsilon: f64, omega: f64, eta: f64) -> Result<Case, Invalid> {
     let new = Case::from_epsilon(epsilon, omega, eta)?.with_max_impacts(case.max_impacts())?;
     let new = new.with_horizon(case.horizon())?;
     Ok(case.slenderness().map_or(new, |slenderness| new.with_slenderness(slenderness)))

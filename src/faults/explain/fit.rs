@@ -1,5 +1,7 @@
 //! The size of a fault that comes nearest to what an engine answered.
 
+use contract::Case;
+
 use super::{deviation, hypothesis::Hypothesis};
 use crate::{
     faults::{Size, plant::Plant},
@@ -52,9 +54,12 @@ const MOST_DEPTHS: usize = 30;
 
 /// The size from `seed` on that makes the deviations least, by steps of Gauss and Newton.
 fn improved(hypothesis: &Hypothesis, samples: &[&Sample], seed: f64, natural: f64) -> Option<f64> {
-    // Of each case no more is asked than is fitted to.
-    let short: Vec<_> =
-        samples.iter().filter_map(|sample| Some((*sample, sample.case.with_max_impacts(IMPACTS).ok()?))).collect();
+    // Of each case no more is asked than is fitted to, where asking takes time.
+    let asked = |case: &Case| match hypothesis.fault.plant {
+        Plant::Answer(_) => Some(*case),
+        _ => case.with_max_impacts(IMPACTS).ok(),
+    };
+    let short: Vec<_> = samples.iter().filter_map(|sample| Some((*sample, asked(&sample.case)?))).collect();
     let residuals = |size: f64| -> Vec<f64> {
         short.iter().flat_map(|(sample, case)| residuals(sample, hypothesis.at(size, case).as_ref())).collect()
     };
@@ -86,7 +91,10 @@ fn residuals(sample: &Sample, planted: Option<&contract::History>) -> Vec<f64> {
         let (answer, planted) = (sample.answer.as_ref()?, planted?);
         Some(deviation::of(planted.impacts.get(n)?, answer.impacts.get(n)?))
     };
-    (0..IMPACTS).flat_map(|n| pair(n).unwrap_or([f64::NAN; 3])).collect()
+    let answers = sample.answer.as_ref().zip(planted);
+    let whole = answers.filter(|(answer, planted)| answer.impacts.len() == planted.impacts.len());
+    let rest = whole.and_then(|(answer, planted)| deviation::of_rest(&sample.case, answer, planted));
+    (0..IMPACTS).flat_map(|n| pair(n).unwrap_or([f64::NAN; 3])).chain([rest.map_or(f64::NAN, |off| -off)]).collect()
 }
 
 /// The sum of squares. What there is nothing to compare for, counts as wholly off.

@@ -5,7 +5,7 @@ use contract::{Case, History, Model, Oracle};
 use crate::{
     faults::{
         Fault, Size,
-        catalogue::catalogue,
+        catalogue::of_engines,
         plant::{Plant, Planted},
         remember::Remembering,
     },
@@ -22,10 +22,7 @@ pub(super) struct Hypothesis {
 /// The hypotheses about an engine for this equation.
 pub(super) fn all(model: Model) -> Vec<Hypothesis> {
     let stepper = panel::stepper_of(model);
-    let linear = panel::stepper();
-    // Those of claims, which are no deviation of an answer, stand in oracles that are not listed here.
-    let listed = [(linear.name(), Model::Linear), (panel::SERIES, Model::Linear), (stepper.name(), model)];
-    let faults = catalogue(listed.into_iter());
+    let faults = of_engines();
     let hypothesis = |fault: Fault| {
         let is_inside = matches!(fault.plant, Plant::Stepper(_) | Plant::Series(_));
         let planted_in =
@@ -62,6 +59,17 @@ impl Hypothesis {
         match self.fault.size {
             Size::Amount { natural, .. } => natural,
             Size::Depth(_) | Size::Whole => 1.0,
+        }
+    }
+
+    /// Whether a fault of this size is one that somebody makes: a term of an equation is left out or it is not, and what is next to nothing is no mistake.
+    pub fn is_plausible(&self, size: f64) -> bool {
+        const TERM: f64 = 0.1;
+        const NOTHING: f64 = 1e-9;
+        match self.fault.size {
+            Size::Amount { natural, .. } if natural >= TERM => (0.5..2.0).contains(&(size / natural)),
+            Size::Amount { natural, .. } => (size / natural).abs() > NOTHING,
+            Size::Depth(_) | Size::Whole => true,
         }
     }
 

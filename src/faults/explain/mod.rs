@@ -37,44 +37,62 @@ fn are_equal(one: &Explanation, two: &Explanation) -> bool {
     one.explained == two.explained && alike(one.left, two.left) && alike(two.left, one.left)
 }
 
-/// As many wrong cases are explained, and as many right ones must not be spoiled.
-const WRONG: usize = 16;
-const RIGHT: usize = 12;
+/// As many wrong cases are explained at the most, and as many right ones must not be spoiled.
+const WRONG: usize = 40;
+const RIGHT: usize = 20;
+/// The size of a fault is looked for in the first of them, most sizes are rejected by fewer.
+const SOME: usize = 16;
 const FEW: usize = 4;
+/// So many impacts are looked at of the wrong cases and of the right ones: what it takes is bounded by them.
+const IMPACTS: usize = 6_000;
 
 /// The mistakes that explain most of the wrong answers of an engine for this equation, the best first; none if nothing does. Those that explain equally well are all
 /// named, the one whose size is most like that of the real mistake first.
 pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
-    let spread = |wrong: bool, most: usize| -> Vec<&Sample> {
-        let all: Vec<&Sample> = samples.iter().filter(|sample| sample.is_wrong == wrong).collect();
-        let every = all.len().div_ceil(most).max(1);
-        all.into_iter().step_by(every).collect()
-    };
     let stepper = panel::stepper_of(model);
     let with_deviation = |wrong: bool, most: usize| -> Vec<(f64, &Sample)> {
         let of = |sample| (deviation(sample, stepper.history(&sample.case).ok().as_ref()), sample);
-        spread(wrong, most).into_iter().map(of).collect()
+        chosen(samples, wrong, most).into_iter().map(of).collect()
     };
     let (wrong, right) = (with_deviation(true, WRONG), with_deviation(false, RIGHT));
     if wrong.is_empty() {
         return Vec::new();
     }
     let hypotheses = hypothesis::all(model);
-    let mut found: Vec<Explanation> =
+    let mut found: Vec<(Explanation, bool)> =
         hypotheses.par_iter().filter_map(|hypothesis| judge(hypothesis, &wrong, &right)).collect();
-    found.sort_by(|one, two| {
+    found.sort_by(|(one, _), (two, _)| {
         let worth = |of: &Explanation| of.explained as i64 - of.spoiled as i64;
         worth(two).cmp(&worth(one)).then(one.left.total_cmp(&two.left))
     });
-    let Some(best) = found.first().cloned() else { return found };
-    found.retain(|explanation| are_equal(explanation, &best) && explanation.spoiled <= best.spoiled);
-    found.sort_by(|one, two| strangeness(one).total_cmp(&strangeness(two)));
-    found
+    let Some((best, _)) = found.first().cloned() else { return Vec::new() };
+    found.retain(|(explanation, _)| are_equal(explanation, &best) && explanation.spoiled <= best.spoiled);
+    // A size that nobody makes is no explanation where another fault does as well.
+    if found.iter().any(|(_, is_plausible)| *is_plausible) {
+        found.retain(|(_, is_plausible)| *is_plausible);
+    }
+    found.sort_by(|(one, _), (two, _)| strangeness(one).total_cmp(&strangeness(two)));
+    found.into_iter().map(|(explanation, _)| explanation).collect()
 }
 
-/// What a hypothesis explains, of samples with their deviations from the truth, at the size that fits best, if that is most.
-fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Sample)]) -> Option<Explanation> {
+/// Some of the samples, spread over all of them.
+fn chosen(samples: &[Sample], is_wrong: bool, most: usize) -> Vec<&Sample> {
+    let all: Vec<&Sample> = samples.iter().filter(|sample| sample.is_wrong == is_wrong).collect();
+    let count = all.len().min(most);
+    let mut left = IMPACTS;
+    let fits = |sample: &&Sample| {
+        let impacts = sample.answer.as_ref().map_or(1, |answer| answer.impacts.len());
+        let rest = left.checked_sub(impacts);
+        left = rest.unwrap_or(left);
+        rest.is_some()
+    };
+    (0..count).filter_map(|place| all.get(place * all.len() / count).copied()).filter(fits).collect()
+}
+
+/// What a hypothesis explains, of samples with their deviations from the truth, at the size that fits best, if that is most; and whether that size is plausible.
+fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Sample)]) -> Option<(Explanation, bool)> {
     let left_at = |size: f64, sample: &Sample| deviation(sample, hypothesis.at(size, &sample.case).as_ref());
+    let some = wrong.get(..SOME).unwrap_or(wrong);
     let scored_on = |size: f64, wrong: &[(f64, &Sample)]| {
         let left = wrong.iter().map(|(before, sample)| (*before, left_at(size, sample)));
         let mut left: Vec<f64> = left.filter(|(before, left)| explains(*before, *left)).map(|(_, left)| left).collect();
@@ -85,20 +103,24 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
     let scored = |size: f64| {
         // Most sizes explain nothing, which a few cases tell.
         let few = wrong.get(..FEW).unwrap_or(wrong);
-        if scored_on(size, few).1 == 0 { (size, 0, f64::INFINITY) } else { scored_on(size, wrong) }
+        if scored_on(size, few).1 == 0 { (size, 0, f64::INFINITY) } else { scored_on(size, some) }
     };
     let better = |one: (f64, usize, f64), two: (f64, usize, f64)| {
         if two.1 > one.1 || two.1 == one.1 && two.2 < 0.1 * one.2 { two } else { one }
     };
     // That of the real mistake comes first: another has to be clearly better.
-    let mut best = fit::candidates(hypothesis, &wrong.iter().map(|(_, sample)| *sample).collect::<Vec<_>>())
+    let mut best = fit::candidates(hypothesis, &some.iter().map(|(_, sample)| *sample).collect::<Vec<_>>())
         .into_iter()
         .map(scored)
         .reduce(better)?;
-    if 2 * best.1 <= wrong.len() && hypothesis.is_stepwise() {
+    if 2 * best.1 <= some.len() && hypothesis.is_stepwise() {
         best = fit::scan(hypothesis.natural(), |size| scored(size).1).into_iter().map(scored).fold(best, better);
     }
-    let (value, explained, left) = best;
+    let (value, explained, _) = best;
+    if 2 * explained <= some.len() {
+        return None;
+    }
+    let (_, explained, left) = scored_on(value, wrong);
     if 2 * explained <= wrong.len() {
         return None;
     }
@@ -111,7 +133,7 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
         Size::Depth(_) => Some(FaultSize { meaning: "at impact".to_owned(), value, natural: None }),
         Size::Whole => None,
     };
-    Some(Explanation {
+    let explanation = Explanation {
         fault: fault.name.to_owned(),
         as_if: fault.as_if.to_owned(),
         size,
@@ -119,12 +141,15 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
         of: wrong.len(),
         left,
         spoiled: right.iter().filter(spoils).count(),
-    })
+    };
+    Some((explanation, hypothesis.is_plausible(value)))
 }
 
-/// Whether a deviation that was `before` is explained if it is `after` with the fault.
+/// Whether a deviation that was `before` is explained if it is `after` with the fault. Where the ending, the count or a side did not match, they have to, and
+/// the impacts have to be like each other.
 fn explains(before: f64, after: f64) -> bool {
-    after.is_finite() && (before.is_infinite() || before > 0.0 && after <= 1e-3 * before)
+    const ALIKE: f64 = 0.1;
+    if before.is_infinite() { after <= ALIKE } else { before > 0.0 && after <= 1e-3 * before }
 }
 
 /// Whether a fault spoils a right answer whose deviation was `before`.
