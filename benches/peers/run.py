@@ -39,7 +39,7 @@ def own():
 
 def ask(entry, cases):
     """What a peer answers, judged and timed; how it failed if it did."""
-    setting = entry["run"][-1]
+    setting = entry["run"][2] if len(entry["run"]) > 2 else entry["name"]
     try:
         with Engine(entry, PATIENCE) as engine:
             rows = [measure.throughput(engine, setting, cases)]
