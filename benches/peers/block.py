@@ -107,8 +107,9 @@ def by_rate(states, step, eta):
 def listed(case, simulate, flights, give=None):
     """The impacts as an answer. `simulate` is a function of a shaking that yields states.
 
-    What is not seen is not listed: flights of fewer than LEAST steps, or slower than what a step changes the velocity by, and what follows them; and at the end of the list what goes no higher than `give`, by
-    which the floor gives; measured with a steady push unless it is known. A block that goes no higher than that is at rest, from the last impact on.
+    What is not seen is not listed: flights of fewer than LEAST steps, or slower than what a step changes the velocity by, and what follows them; and at
+    the end of the list what goes no higher than the floor gives (`give`, measured with a steady push unless it is known). A block that goes no higher than
+    that is at rest, from the last impact on.
     """
     shaking = Shaking(case)
     if give is None:
