@@ -8,7 +8,7 @@
 //! 3. [`measure`]: a history becomes numbers, in the same way for every method; the infinite sum is closed.
 //! 4. [`gate`]: laws, comparisons, the judge, and the verdict on the run; what failed is made small and kept.
 //!
-//! Beside the gate: [`engines`] are simulators of somebody else under it, [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
+//! Beside the gate: [`page`] makes one HTML file of a report, [`engines`] are simulators of somebody else under it, [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
 //! from rest to rest, [`plan`] says which method is enough for one, and [`studies`] holds what is measured once and drawn: the
 //! paper's figures, the atlas of failures, work against precision.
 //!
@@ -21,6 +21,7 @@ pub mod gate;
 pub mod guide;
 pub mod measure;
 pub mod motion;
+pub mod page;
 pub mod panel;
 pub mod plan;
 pub mod responders;

@@ -8,6 +8,7 @@ use chattercheck::{
         outcome::Outcomes,
         report::{self, Report},
     },
+    page,
 };
 use clap::Args;
 use contract::Invalid;
@@ -22,6 +23,9 @@ pub(super) struct ReportFiles {
     /// Write the report as JUnit XML; - is stdout, in place of the text
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// Write the report as one HTML file that needs nothing else; - is stdout, in place of the text
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// Write the report as Markdown, for the page of a CI job; - is stdout, in place of the text
     #[arg(long, value_name = "FILE")]
     summary: Option<PathBuf>,
@@ -34,6 +38,7 @@ pub(super) struct Targets(Vec<(Content, Target)>);
 enum Content {
     Json,
     Junit,
+    Html,
     Summary,
 }
 
@@ -52,6 +57,7 @@ impl Content {
         match self {
             Self::Json => "json",
             Self::Junit => "junit",
+            Self::Html => "html",
             Self::Summary => "summary",
         }
     }
@@ -61,6 +67,7 @@ impl Content {
         match self {
             Self::Json => "another file than that of --json",
             Self::Junit => "another file than that of --junit",
+            Self::Html => "another file than that of --html",
             Self::Summary => "another file than that of --summary",
         }
     }
@@ -71,6 +78,7 @@ impl Content {
         Ok(match self {
             Self::Json => serde_json::to_string_pretty(report)? + "\n",
             Self::Junit => report::junit(report, cases, outcomes)?,
+            Self::Html => page::html(report, cases, outcomes, replays.as_deref()),
             Self::Summary => report::summary(report, replays.as_deref()),
         })
     }
@@ -82,7 +90,12 @@ impl ReportFiles {
     /// # Errors
     /// When one can't be written, or two are the same, or one is among the files that are `taken`: what is allowed then, and the path.
     pub fn check(&self, taken: &[(&'static str, Option<&Path>)]) -> anyhow::Result<Targets> {
-        let given = [(Content::Json, &self.json), (Content::Junit, &self.junit), (Content::Summary, &self.summary)];
+        let given = [
+            (Content::Json, &self.json),
+            (Content::Junit, &self.junit),
+            (Content::Html, &self.html),
+            (Content::Summary, &self.summary),
+        ];
         let mut files: Vec<(Content, Target)> = Vec::new();
         for (content, path) in given {
             let Some(path) = path else { continue };

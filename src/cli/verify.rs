@@ -55,10 +55,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "K/N", default_value = "1/1", allow_hyphen_values = true)]
     partition: String,
     /// Keep what this part of the run found in a file in DIR, for `chattercheck merge DIR`; a part that is there already is not run again
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["json", "junit", "summary", "full"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["json", "junit", "html", "summary", "full"])]
     out: Option<PathBuf>,
     /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
-    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "summary", "replays", "format", "full", "out"])]
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "html", "summary", "replays", "format", "full", "out"])]
     list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,

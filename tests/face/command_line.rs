@@ -293,6 +293,8 @@ fn verify_is_green_deterministic_and_written_for_machines() {
             .arg(&json)
             .arg("--junit")
             .arg(&junit)
+            .arg("--html")
+            .arg(folder.path().join(format!("{name}.html")))
             .env("RAYON_NUM_THREADS", threads)
             .assert()
             .success();
@@ -301,6 +303,8 @@ fn verify_is_green_deterministic_and_written_for_machines() {
         (text, report, std::fs::read_to_string(junit).unwrap())
     };
     let (one, two) = (run("1", "one"), run("2", "two"));
+    let page = |name: &str| std::fs::read(folder.path().join(format!("{name}.html"))).unwrap();
+    assert!(page("one") == page("two"), "the page depends on the number of threads");
     assert_eq!(one.0, two.0);
     assert_eq!(one.1, two.1);
     let report = one.1;

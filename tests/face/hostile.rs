@@ -254,7 +254,7 @@ fn a_report_is_not_written_over_the_replay() {
     let path = folder.path().join("replay.toml");
     std::fs::write(&path, "kept").unwrap();
     let path = path.to_str().unwrap();
-    for option in ["--json", "--junit", "--summary"] {
+    for option in ["--json", "--junit", "--html", "--summary"] {
         refused(&["replay", path, option, path], &[option.trim_start_matches('-'), "replay.toml", "another file"]);
     }
     assert_eq!(std::fs::read_to_string(path).unwrap(), "kept");

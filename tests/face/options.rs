@@ -195,6 +195,8 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("verify --cases 1 --junit -", "--full", Refused(&["--full", "stdout"])),
         ("verify --cases 1 --summary -", "--format github", Refused(&["--format github", "stdout"])),
         ("verify --json same.out", "--summary same.out", Refused(&["summary = same.out", "--json"])),
+        ("verify --html -", "--full", Refused(&["--full", "stdout"])),
+        ("verify --json same.out", "--html ./same.out", Refused(&["html = ./same.out", "--json"])),
         ("verify --junit -", "--summary -", Refused(&["summary = -", "--junit"])),
         ("response SCENE --until 1", "--to 2", Refused(&["to = 2", "end of the response"])),
         (

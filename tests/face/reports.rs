@@ -40,7 +40,7 @@ fn no_report_is_written_over_another_file_of_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let manifest = "[[engine]]\nname = \"mine\"\nrun = [\"sh\"]\nmodel = \"linear\"\n";
     fs::write(folder.path().join("engines.toml"), manifest).unwrap();
-    for option in ["json", "junit", "summary"] {
+    for option in ["json", "junit", "html", "summary"] {
         for (file, words) in [("./engines.toml", "the one that is read"), ("talk.jsonl", "that of --record")] {
             let run = format!("verify --quiet --engines engines.toml --record talk.jsonl --{option} {file}");
             let (status, out, err) = chattercheck(folder.path(), &run);

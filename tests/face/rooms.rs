@@ -28,6 +28,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     // The gate's own test plants faults in the panel.
     ("faults", &["cases", "gate", "measure", "panel"]),
     ("studies", &["cases", "faults", "gate", "measure", "motion", "panel", "plan", "responders"]),
+    // A report as one HTML file.
+    ("page", &["cases", "gate", "measure"]),
     ("guide", &[]),
 ];
 

@@ -13,6 +13,7 @@ mod judge;
 mod junit;
 mod linearisation;
 mod mixed;
+mod page;
 mod planted_responses;
 mod reach;
 mod reports;

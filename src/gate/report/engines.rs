@@ -165,7 +165,7 @@ pub(super) fn lines(report: &Report) -> Vec<String> {
 const EXPLANATIONS: usize = 4;
 
 /// What would explain what is wrong, in words.
-fn explained(found: &[Explanation]) -> Vec<String> {
+pub fn explained(found: &[Explanation]) -> Vec<String> {
     let mut lines: Vec<String> = found.iter().take(EXPLANATIONS).map(Explanation::to_string).collect();
     match found.len() {
         0 => lines.push("nothing in the catalogue of mistakes explains it".to_owned()),

@@ -39,11 +39,12 @@ use crate::{
 };
 
 pub use cut::{cut, one_line};
-pub use engines::{Engine, EngineReport, Granted};
+pub use engines::{Engine, EngineReport, Granted, explained};
 pub use github::{annotations, not_obeyed};
 pub use junit::{LARGEST as LARGEST_JUNIT, MOST_LISTED, junit};
 pub use listed::{Fate, Listed, listed};
 pub use next::next;
+pub use profiles::lines as profile_lines;
 pub use summary::summary;
 pub use tables::full;
 pub use text::{exercised, failure_text, finding_text, headline, narrow_and_left_out, text, verdict};

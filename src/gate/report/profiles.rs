@@ -5,7 +5,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use crate::gate::profile::{Depth, Errors, Profile, Said, Side};
 
 /// A profile in a few lines.
-pub(super) fn lines(profile: &Profile) -> Vec<String> {
+pub fn lines(profile: &Profile) -> Vec<String> {
     let answers = profile.answers();
     if answers == 0 {
         return Vec::new();
