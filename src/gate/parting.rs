@@ -78,10 +78,16 @@ pub fn partings(examination: &Examination, findings: &[Finding], sound: &[String
     for finding in findings {
         let Some((answered, against, is_proven)) = sides(examination, finding, sound) else { continue };
         if partings.len() < MOST && partings.iter().all(|known| known.answered.oracle != answered.0) {
-            partings.push(parting(answered, against, is_proven, finding.impact()));
+            partings.push(parting(answered, against, is_proven, first_wrong(findings, answered.0)));
         }
     }
     partings
+}
+
+/// The first impact of this oracle at which anything is wrong; 0 where it is the history as a whole.
+fn first_wrong(findings: &[Finding], oracle: &str) -> usize {
+    let about_it = findings.iter().filter(|finding| finding.oracles().contains(&oracle));
+    about_it.map(Finding::impact).filter(|impact| *impact > 0).min().unwrap_or(0)
 }
 
 /// The answer that is wrong, or the first of two, and what it is held against: what is proven if anything is, else what is sound, else the other of the two.

@@ -9,7 +9,10 @@ use super::{
     digits::short,
     sample::{Fates, Sample, Shown},
 };
-use crate::gate::report::{Fate, Report};
+use crate::gate::{
+    finding::Finding,
+    report::{Fate, Report},
+};
 
 /// The columns: how each is sorted by, and whether a narrow screen has room for it.
 const COLUMNS: [(&str, &str, bool); 8] = [
@@ -27,6 +30,7 @@ pub(super) fn section(report: &Report, sample: &Sample) -> Markup {
     html! {
         section #cases {
             h2 { "Cases" }
+            p .note { "The worst come first; a click on the head of a column sorts by it." }
             @if !sample.is_whole() { p { (not_all(sample)) } }
             (controls(report, sample))
             p #count role="status" aria-live="polite" { (sample.shown.len()) " cases" }
@@ -48,8 +52,8 @@ pub(super) fn section(report: &Report, sample: &Sample) -> Markup {
 fn not_all(sample: &Sample) -> String {
     let left_out = sample.counts.iter().filter(|(_, (shown, all))| shown < all);
     let said = left_out.map(|(fate, (shown, all))| match fate {
-        Fates::Wrong | Fates::Broke => format!("the first {shown} of {all} that are {}", fate.says()),
-        _ => format!("{shown} of {all} that are {}, evenly spaced", fate.says()),
+        Fates::Wrong | Fates::Broke => format!("the first {shown} of {all} that {}", fate.phrase()),
+        _ => format!("{shown} of {all} that {}, evenly spaced", fate.phrase()),
     });
     format!(
         "Not every case is shown: {}. The report in JSON names every one that failed.",
@@ -90,8 +94,7 @@ fn row(shown: &Shown) -> Markup {
     let Shown { case, fate, place } = shown;
     let kind = Fates::from(fate);
     let concerned = case.concerned();
-    let impact =
-        case.failure.and_then(|failure| failure.findings.iter().map(|finding| finding.impact()).find(|n| *n > 0));
+    let impact = case.failure.and_then(|failure| failure.findings.iter().map(Finding::impact).filter(|n| *n > 0).min());
     let parameters = &case.named.case;
     let alpha = parameters.slenderness().map(|slenderness| slenderness.alpha());
     let number = |value: Option<f64>| {

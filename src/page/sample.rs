@@ -12,7 +12,7 @@ const MOST_OTHERS: usize = 1000;
 
 /// The cases that are shown.
 pub(super) struct Sample<'a> {
-    /// In the order of the run.
+    /// The worst first, each kind in the order of the run.
     pub shown: Vec<Shown<'a>>,
     /// Of each fate: how many are shown, and of how many.
     pub counts: BTreeMap<Fates, (usize, usize)>,
@@ -63,6 +63,18 @@ impl Fates {
         }
     }
 
+    /// What is said of those of it, after "that".
+    pub fn phrase(self) -> &'static str {
+        match self {
+            Self::Wrong => "are wrong",
+            Self::Broke => "broke an engine",
+            Self::LeftOut => "were left out",
+            Self::Known => "fail as is known",
+            Self::Declined => "were declined",
+            Self::Passed => "passed",
+        }
+    }
+
     /// The class of what has this fate.
     pub fn class(self) -> &'static str {
         match self {
@@ -100,6 +112,7 @@ impl<'a> Sample<'a> {
             }
             *met += 1;
         }
+        shown.sort_by_key(|shown: &Shown| Fates::from(&shown.fate));
         Self { shown, counts }
     }
 

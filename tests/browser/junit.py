@@ -21,7 +21,7 @@ for suite in root:
         counted[status] += 1
         if children:
             assert children[0].get("message") and children[0].text.strip(), f"{name}: {status} without a word"
-            assert children[0].get("message").split()[0] in children[0].text, name
+            assert status == "error" or children[0].get("message").split()[0] in children[0].text, name
     for attribute, tag in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
         assert int(suite.get(attribute)) == counted[tag], (suite.get("name"), attribute)
     assert int(suite.get("tests")) == sum(counted.values()), suite.get("name")

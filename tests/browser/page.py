@@ -232,7 +232,7 @@ def check(browser, url, shots):
         browser.press("Enter", 13, "\r")
         that("a case unfolds by the keyboard", see(f"document.querySelector('{case} details').open"))
         for part in (".findings", ".impacts", ".command"):
-            that(f"its {part[1:]} are seen", see(f"seen(document.querySelector('{case} {part}'))"))
+            that(f"what it unfolds to is seen: {part[1:]}", see(f"seen(document.querySelector('{case} {part}'))"))
         that("the digits that differ are marked", see(f"[...document.querySelectorAll('{case} mark')].some(seen)"))
         that("the command is whole", see(f"document.querySelector('{case} .command').innerText").startswith("chattercheck "))
         shots and browser.shoot(shots / "unfolded.png")

@@ -147,10 +147,13 @@ impl Listed<'_> {
         self.known_fate(|oracle| oracle == name).or_else(declined).unwrap_or(Fate::Passed)
     }
 
-    /// Whom its findings point to, or who declined it.
+    /// Whom its findings are about, but those with which nothing is wrong, and who declined it.
     pub fn concerned(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
+        let is_sound =
+            |name: &&str| self.failure.is_some_and(|failure| failure.sound.iter().any(|sound| sound == name));
         let findings = self.failure.iter().flat_map(|failure| &failure.findings).flat_map(Finding::oracles);
+        let findings = findings.filter(|name| !is_sound(name));
         let declined = self.oracles_without().map(|(oracle, _)| oracle);
         for name in findings.chain(self.known.iter().map(|known| known.oracle.as_str())).chain(declined) {
             if !names.contains(&name) {

@@ -201,11 +201,13 @@ fn short(value: f64) -> String {
     if rounded != 0.0 && rounded.abs() < 1e-3 { format!("{rounded:e}") } else { format!("{rounded}") }
 }
 
-/// What was wrong with a failed case, in a line: the first finding, and how many more there are.
+/// What was wrong with a failed case, in a line: what the judge refutes if anything, else the first finding; and how many more there are.
 pub fn headline(failure: &FailedCase) -> String {
-    let first = failure.findings.first().map_or_else(String::new, finding_text);
+    let refuted = failure.findings.iter().find(|finding| matches!(finding, Finding::Refuted { .. }));
+    let first = refuted.or(failure.findings.first()).map_or_else(String::new, finding_text);
     match failure.findings.len() {
         0 | 1 => first,
+        2 => format!("{first}; and one more finding"),
         count => format!("{first}; and {} more findings", count - 1),
     }
 }
