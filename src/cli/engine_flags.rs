@@ -21,10 +21,10 @@ use chattercheck::{
     stored::sha256,
 };
 use clap::Args;
-use contract::{Invalid, Model, Oracle};
+use contract::{Case, Invalid, Model, Oracle};
 use tempfile::NamedTempFile;
 
-use super::{engine::sensitive, output::note};
+use super::{engine::sensitive, engine_profile::Clock, output::note};
 
 #[derive(Args)]
 pub(super) struct EngineFlags {
@@ -161,10 +161,11 @@ impl Engines {
         then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
     }
 
-    /// Hands `then` who the engines are, and what is known to fail with them.
-    pub fn with_guests<T>(&self, known: &[Known], then: impl FnOnce(&Guests<'_>) -> T) -> T {
+    /// Hands `then` who the engines are, and what is known to fail with them. The clock is told of what is right.
+    pub fn with_guests<T>(&self, known: &[Known], clock: &Clock, then: impl FnOnce(&Guests<'_>) -> T) -> T {
         let is_guest = |oracle: &str| self.fleet.engine(oracle).is_some();
-        then(&Guests { is_guest: &is_guest, known, ..Guests::default() })
+        let was_right = |oracle: &str, case: &Case| clock.note(oracle, case);
+        then(&Guests { is_guest: &is_guest, known, was_right: &was_right })
     }
 
     /// What mistakes would explain the wrong answers of the engine of this name, of those that were kept; `None` if there is none.

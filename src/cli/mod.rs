@@ -11,6 +11,7 @@ mod detection_floor;
 mod diagnose;
 mod engine;
 mod engine_flags;
+mod engine_profile;
 mod estimate;
 mod files;
 mod followed;

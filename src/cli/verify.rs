@@ -25,6 +25,7 @@ use super::{
     Status,
     conclusion::{Conclusion, Format},
     engine_flags::EngineFlags,
+    engine_profile::{self, Clock},
     files::{check_folder, make_folder, write_numbered},
     output::note,
     part_file::PartFile,
@@ -65,6 +66,9 @@ pub(super) struct Arguments {
     /// How stdout is written: for people, or for a workflow of GitHub, with commands that it shows as annotations
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Write the profiles of the engines into DIR, how fast they are among them: tables (CSV), and charts (SVG) drawn from them
+    #[arg(long, value_name = "DIR", requires = "engines", conflicts_with_all = ["list", "out"])]
+    profile: Option<PathBuf>,
     /// Print the wide tables too: every pair, every claim, every law
     #[arg(long)]
     full: bool,
@@ -92,6 +96,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays: Path::new(""), next: None };
     conclusion.check(&files)?;
     let replays = arguments.replays()?;
+    if let Some(folder) = &arguments.profile {
+        make_folder("profile", folder)?;
+    }
     let Some(engines) = engines.start()? else { return Ok(Status::Failed) };
     let all = engines.beside(&panel);
     if all.len() < 2 {
@@ -134,7 +141,8 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     // The ladders are a test of the panel itself.
     let ladders = chosen.whole.then(|| ladder::descend(&panel, panel::SERIES)).transpose()?;
     let known = engines.fleet.known();
-    let run = engines.with_guests(&known, |guests| {
+    let clock = Clock::new(&engines.fleet);
+    let run = engines.with_guests(&known, &clock, |guests| {
         run::with_guests(&all, guests, &judges, &placed, seed, ladders, &watch).excused(&known, &cases)
     });
     let (of_responses, wrong_responses, response_seconds) = responses.run(&watch);
@@ -145,6 +153,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     // Who has to stop has no time for it.
     let report =
         if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
+    let speeds = clock.speeds();
+    if !arguments.quiet {
+        engine_profile::tell(&speeds);
+    }
+    let profiles = arguments.profile.as_ref().filter(|_| !watch.is_interrupted());
+    let profiles = profiles.map_or(Ok(()), |folder| engine_profile::write(folder, &report, &engines.fleet, &speeds));
     // First what was found: shrinking may take a while.
     let responses_run = report.responses.as_ref().map_or(&[][..], |of| &of.tally.names);
     let outcomes = run.outcomes.clone().with_responses(responses_run, response_seconds);
@@ -158,6 +172,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
             file.keep(&part, report, &conclusion, &files)
         }
     };
+    let status = status.after(profiles);
     // A disagreement stays one where its replay files can't be written.
     let part = partition.suffix();
     let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };

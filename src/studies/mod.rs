@@ -4,6 +4,7 @@ pub mod atlas;
 pub mod chart;
 pub mod chattering_threshold;
 pub mod diagnose;
+pub mod engine_profile;
 pub mod paper;
 pub mod plan_map;
 pub mod reference;

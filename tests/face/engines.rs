@@ -365,6 +365,25 @@ fn the_mistake_of_an_engine_is_named_in_words() {
     assert!(right["explanations"].is_null(), "{right}");
     assert_eq!(right["profile"]["right"], right["answered"]);
 
+    // The files have the times, the report has none.
+    let whole = report(folder);
+    let (status, out, err) = verify(folder, "--profile out");
+    assert_eq!(status, 0, "{out}");
+    assert_eq!(report(folder), whole);
+    let file = |name: &str| fs::read_to_string(folder.join("out").join(name)).unwrap();
+    for table in ["depth", "sides", "endings", "speed", "work"] {
+        assert!(err.contains(&format!("out/profile_{table}.csv")), "{err}");
+        assert!(file(&format!("profile_{table}.csv")).contains("\nmine,") || table == "work");
+    }
+    for chart in ["depth", "sides", "work"] {
+        assert!(file(&format!("profile_{chart}.svg")).starts_with("<svg"));
+    }
+    assert_eq!(file("profile_work.csv").lines().filter(|row| row.contains(",mine (engine),")).count(), 3);
+    let speed = file("profile_speed.csv");
+    let row: Vec<&str> = speed.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(row[1], right["profile"]["right"].to_string());
+    assert!(row[3].parse::<f64>().unwrap() > 100.0, "{speed}");
+
     planted("\"eta is off\", \"--size\", \"2e-4\", \"--oracle\", \"closed-form\"");
     let (status, out, _) = verify(folder, "");
     assert_eq!(status, 1);

@@ -174,6 +174,7 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("verify", "--oracles closed-form", Refused(&["oracles = closed-form", "two oracles"])),
         ("verify", "--responses 3 --oracles asymptotic", Refused(&["responses = 3", "--oracles"])),
         ("verify", "--responses 1000001", Refused(&["responses = 1000001", "1000000"])),
+        ("verify", "--profile out", Refused(&["--engines"])),
         ("verify", "--partition 0/2", Refused(&["partition = 0/2"])),
         ("verify --list", "--cases 3", Used),
         ("verify --list", "--seed 3", Used),

@@ -97,6 +97,11 @@ impl Engine {
         told.answer
     }
 
+    /// The answer to a case, if it was asked with others and is remembered.
+    pub fn remembered(&self, case: &Case) -> Option<Answer> {
+        self.memory().get(&Key::from(case)).cloned()
+    }
+
     /// Asks a case as one of the other model, which the engine does not offer: it should decline. What it answers is not remembered.
     pub fn answer_to_the_other_model(&self, case: &Case) -> Answer {
         let Some(mut slot) = self.pool.free() else { return self.pool.exhausted() };

@@ -12,6 +12,9 @@ pub const CHARTS: [Chart; 6] = [
     Chart { name: "work_impact_40.svg", table: "work_precision.csv", draw: impact_40 },
 ];
 
+/// Simulators of somebody else, beside a few of the others.
+pub const BESIDE: Chart = Chart { name: "profile_work.svg", table: "profile_work.csv", draw: beside };
+
 /// Where errors end.
 const FLOOR: f64 = 1e-16;
 const SECONDS: &str = "seconds on this machine";
@@ -154,5 +157,17 @@ fn impact_40(table: &Table) -> Result<String, Error> {
         &["closed form, higher orders", "tsit45, rescaled", "enclosure", "numba", "heyoka", "SUNDIALS", "SciPy"],
         ("seconds", SECONDS),
         ("impact_40_error", OF_IMPACT_40),
+    )
+}
+
+fn beside(table: &Table) -> Result<String, Error> {
+    chart(
+        table,
+        "What the chattering time costs an engine",
+        "All on this machine. A point a setting: impacts of the closed form, tolerances of the solver; an engine has one, the best of some questions, as it \
+         reports its time or else as seen from outside. Crosses: no chattering time.",
+        &[""],
+        ("seconds", SECONDS),
+        ("tau_ch_error", OF_TAU_CH),
     )
 }

@@ -3,6 +3,7 @@
 //! The truth is the enclosure's. What it costs is given in seconds on this machine and in work that is the same on every machine: impacts, and
 //! evaluations of the right-hand side. A setting that fails is a row without an error, and why.
 
+mod beside;
 mod charts;
 mod methods;
 
@@ -16,7 +17,8 @@ use crate::{
     studies::chart::{csv_in_words, csv_text},
 };
 
-pub use charts::CHARTS;
+pub use beside::{Stranger, measure_beside};
+pub use charts::{BESIDE, CHARTS};
 use methods::{Contender, Found, methods};
 
 /// One setting of one method at one distance.
@@ -69,17 +71,30 @@ impl Default for Scope {
 /// # Errors
 /// When a quantity is out of range.
 pub fn measure(request: &Scope, done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
+    measure_some(request, |_| true, done)
+}
+
+/// The cases, each with how far it is on the way to the critical amplitude.
+fn cases(request: &Scope) -> Result<Vec<(String, Case)>, Decline> {
     let Scope { omega, eta, .. } = *request;
     let invalid = |why: contract::Invalid| Decline::NotConvergent { why: why.to_string() };
     let critical = critical::interpolated(omega, eta).map_err(invalid)?;
-    let mut rows = Vec::new();
-    for (percent, impacts) in &request.percents {
+    let case = |(percent, impacts): &(f64, usize)| {
         let case = Case::from_epsilon(percent / 100.0 * critical, omega, eta);
         let case = case.and_then(|case| case.with_max_impacts(*impacts)).map_err(invalid)?;
+        Ok((format!("{percent} %"), case))
+    };
+    request.percents.iter().map(case).collect()
+}
+
+/// Asks the methods whose family is `wanted`.
+fn measure_some(request: &Scope, wanted: impl Fn(&str) -> bool, done: impl Fn()) -> Result<Vec<WorkRow>, Decline> {
+    let mut rows = Vec::new();
+    for (share, case) in cases(request)? {
         let truth = Truth::of(&case)?;
-        for method in methods(&case) {
+        for method in methods(&case).into_iter().filter(|method| wanted(&method.family)) {
             let mut row = truth.row(&case, &method);
-            row.share = format!("{percent} %");
+            row.share = share.clone();
             row.seconds = seconds(request.patience, || drop(black_box((method.run)(black_box(&case)))));
             rows.push(row);
             done();
@@ -218,7 +233,6 @@ impl Truth {
     fn row(&self, case: &Case, method: &Contender) -> WorkRow {
         let Found { chattering_time, impact_40, impacts, evaluations, width, outcome } = (method.run)(case);
         // What is proven is as far off as it is wide; anything else as far as it is from what is proven.
-        let off = |found: Option<f64>, exact: Option<f64>| Some(rounded((found? / exact? - 1.0).abs()));
         WorkRow {
             share: String::new(),
             epsilon: case.epsilon(),
@@ -232,6 +246,11 @@ impl Truth {
             outcome,
         }
     }
+}
+
+/// How far what was found is from what is true, relative.
+fn off(found: Option<f64>, exact: Option<f64>) -> Option<f64> {
+    Some(rounded((found? / exact? - 1.0).abs()))
 }
 
 /// The best of some repeats.
