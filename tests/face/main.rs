@@ -1,6 +1,7 @@
 //! What people and other programs meet: the command line, the README, and the rules that the tree keeps.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
+mod ci;
 mod command_line;
 mod engines;
 mod guide;
