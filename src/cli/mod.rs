@@ -15,6 +15,7 @@ mod engine_profile;
 mod estimate;
 mod files;
 mod followed;
+mod joined;
 mod judge;
 mod merge;
 mod numbers;

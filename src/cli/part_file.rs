@@ -12,7 +12,7 @@ use chattercheck::{
     stored::{self, Put},
 };
 
-use super::{Status, conclusion::Conclusion, files::make_folder, merge, output::note, report_files::Targets};
+use super::{Status, conclusion::Conclusion, files::make_folder, joined, output::note, report_files::Targets};
 
 /// Where it goes.
 pub(super) struct PartFile {
@@ -90,7 +90,7 @@ impl PartFile {
     pub fn again(&self, part: Part, all: &[Named], conclusion: &Conclusion, files: &Targets) -> anyhow::Result<Status> {
         note(format_args!("chattercheck: {} is there, whole and of this request: not run again", self.path.display()));
         let (request, named) = (part.request.clone(), part.named.clone());
-        let (report, outcomes) = merge::report(&request, &named.manifest, vec![part], all)?;
+        let (report, outcomes) = joined::report(&request, &named.manifest, vec![part], all)?;
         let report = report.of_part();
         let replays = Path::new(&named.replays);
         Ok(Conclusion { next: Some(self.next(&report)), replays, ..*conclusion }.give(&report, &[], &outcomes, files))
