@@ -409,3 +409,29 @@ fn the_mistake_of_an_engine_is_named_in_words() {
         assert!(err.contains(words) && err.contains("`chattercheck engine planted`"), "{err}");
     }
 }
+
+/// What is said of an engine, its profile and what would explain its mistakes too, is the same of parts that are put together; with another manifest they are
+/// parts of another run.
+#[test]
+fn an_engine_in_parts_is_the_engine_in_one_piece() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    faulty(folder, "eta", "");
+    let case = |(name, epsilon): (&str, f64)| {
+        format!("[[case]]\nname = {name:?}\nepsilon = {epsilon}\nomega = 2.0\neta = 0.85\n")
+    };
+    fs::write(folder.join("own.toml"), [("one", 0.01), ("two", 0.02), ("three", 0.03)].map(case).concat()).unwrap();
+    let run = "verify --engines engines.toml --quiet --cases 0 --case-file own.toml";
+    let one = chattercheck(folder, &format!("{run} --full --json one.json"));
+    assert!(one.0 == 1 && one.1.contains("as if the coefficient of restitution"), "{}", one.1);
+    for part in 1..=2 {
+        assert_eq!(chattercheck(folder, &format!("{run} --partition {part}/2 --out parts")).0, 1);
+    }
+    let all = chattercheck(folder, "merge parts --full --json all.json");
+    assert_eq!((all.0, all.1.as_str()), (1, one.1.as_str()), "{}", all.2);
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    assert_eq!(read("all.json"), read("one.json"));
+    fs::write(folder.join("engines.toml"), read("engines.toml") + "# changed\n").unwrap();
+    let (status, _, err) = chattercheck(folder, &format!("{run} --partition 1/2 --out parts"));
+    assert!(status == 2 && err.contains("of another request; the manifest of mine: "), "{err}");
+}
