@@ -8,7 +8,8 @@
 //! 3. [`measure`]: a history becomes numbers, in the same way for every method; the infinite sum is closed.
 //! 4. [`gate`]: laws, comparisons, the judge, and the verdict on the run; what failed is made small and kept.
 //!
-//! Beside the gate: [`page`] makes one HTML file of a report, [`engines`] are simulators of somebody else under it, [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
+//! Beside the gate: [`page`] makes one HTML file of a report, [`engines`] are simulators of somebody else under it, [`verify`] is the gate in one call for those in Rust,
+//! [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
 //! from rest to rest, [`plan`] says which method is enough for one, and [`studies`] holds what is measured once and drawn: the
 //! paper's figures, the atlas of failures, work against precision.
 //!
@@ -27,3 +28,4 @@ pub mod plan;
 pub mod responders;
 pub mod stored;
 pub mod studies;
+pub mod verify;

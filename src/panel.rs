@@ -18,7 +18,9 @@ use taylor::Taylor;
 
 use crate::{gate::roles::Roles, motion::linearisation::Corrected};
 
-pub use lookup::{all, default, judges, may_decline, method, methods, model_named, model_of, one, select, with_role};
+pub use lookup::{
+    all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, with_role,
+};
 pub use settings::{Refused, Setting, Settings};
 
 /// Oracles that are asked the same cases.

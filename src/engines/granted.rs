@@ -1,12 +1,9 @@
 //! An engine with the errors that its user grants it.
 
-use contract::{Case, Decline, Estimate, History, Impact, Model, Oracle};
+use contract::{Case, Decline, History, Model, Oracle, Uncertainty};
 use process::{Claimed, Engine, Outcome, Tolerance};
 
-use crate::measure::{
-    conditioning::Conditioning,
-    observables::{Observable, Observed},
-};
+use crate::measure::conditioning::Conditioning;
 
 /// An engine as an oracle whose errors, where it claims none, are what its user grants it: the tolerance of the manifest times `1 + κ`, with `κ` how much of
 /// the observable one unit of relative change in the parameters makes ([`Conditioning`]). Next to the critical amplitude nobody who computes in doubles can
@@ -32,34 +29,17 @@ impl Granted {
     pub fn into_engine(self) -> Engine {
         self.engine
     }
-
-    fn conditioning(&self, case: &Case) -> Conditioning {
-        let history = self.sensitive.history(case).ok();
-        let by = |history| Conditioning::by(self.sensitive.as_ref(), case, &Observed::new(case, history));
-        history.and_then(by).unwrap_or_default()
-    }
 }
 
-/// Grants what is not claimed.
+/// Grants what is not claimed: by the conditioning, as the tolerance itself is there already.
 fn grant(history: &mut History, claimed: Claimed, tolerance: Tolerance, conditioning: &Conditioning) {
-    for (n, Impact { uncertainty, .. }) in (1..).zip(&mut history.impacts) {
-        for (is_claimed, error, granted, observable) in [
-            (claimed.time, &mut uncertainty.time, tolerance.time, Observable::ImpactTime),
-            (claimed.interval, &mut uncertainty.interval, tolerance.interval, Observable::Interval),
-            (claimed.velocity, &mut uncertainty.velocity, tolerance.velocity, Observable::Velocity),
-        ] {
-            // The tolerance itself is there already.
-            if !is_claimed && granted > 0.0 {
-                *error += granted * conditioning.at(observable, n);
-            }
-        }
-    }
-    if let Some(Estimate { uncertainty, .. }) = &mut history.chattering_time
-        && !claimed.tau_ch
-        && tolerance.tau_ch > 0.0
-    {
-        *uncertainty += tolerance.tau_ch * conditioning.at(Observable::ChatteringTime, 0);
-    }
+    let unless = |is_claimed, granted| if is_claimed { 0.0 } else { granted };
+    let errors = Uncertainty {
+        time: unless(claimed.time, tolerance.time),
+        interval: unless(claimed.interval, tolerance.interval),
+        velocity: unless(claimed.velocity, tolerance.velocity),
+    };
+    conditioning.widen(history, 0.0, errors, unless(claimed.tau_ch, tolerance.tau_ch));
 }
 
 impl Oracle for Granted {
@@ -79,7 +59,8 @@ impl Oracle for Granted {
         match answer.outcome {
             Outcome::History(mut history) => {
                 if claimed != all && tolerance != Tolerance::default() {
-                    grant(&mut history, claimed, tolerance, &self.conditioning(case));
+                    let conditioning = Conditioning::by_other(self.sensitive.as_ref(), case);
+                    grant(&mut history, claimed, tolerance, &conditioning);
                 }
                 Ok(history)
             }

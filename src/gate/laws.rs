@@ -1,6 +1,9 @@
 //! What must be true of every history by itself.
 
-use contract::{Case, Ending, History, Horizon, Model, Normalisation};
+use contract::{
+    Case, Ending, History, Horizon, Model, Normalisation,
+    conformance::{self, Rule},
+};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -104,42 +107,18 @@ pub fn check(case: &Case, model: Model, observed: &Observed) -> Checked {
     checked
 }
 
-/// The laws that need no formula of the motion.
+/// The laws that need no formula of the motion: those of the contract.
 fn form(case: &Case, history: &History) -> Option<Breach> {
-    let breach = |law, impact, how: String| Some(Breach { law, impact, how });
     if let Ending::Lost(loss) = history.ending {
-        return breach(Law::NotLost, history.impacts.len() + 1, loss.to_string());
+        return Some(Breach { law: Law::NotLost, impact: history.impacts.len() + 1, how: loss.to_string() });
     }
-    if history.impacts.len() > case.max_impacts() {
-        return breach(Law::Form, 0, format!("{} impacts listed, {} asked", history.impacts.len(), case.max_impacts()));
-    }
-    let expects_none = history.ending == Ending::NeverRocks;
-    let expects_some = history.ending == Ending::AtRest;
-    if (expects_none && !history.impacts.is_empty()) || (expects_some && history.impacts.is_empty()) {
-        return breach(Law::Form, 0, format!("{} with {} impacts", history.ending, history.impacts.len()));
-    }
-    let mut before = 0.0;
-    for (n, impact) in (1..).zip(&history.impacts) {
-        let claims = [impact.uncertainty.time, impact.uncertainty.interval, impact.uncertainty.velocity];
-        if claims.iter().any(|claim| claim.is_nan() || *claim < 0.0) {
-            return breach(Law::Form, n, format!("a claim is not a number of its kind: {claims:?}"));
-        }
-        if !(impact.interval > 0.0 && impact.interval.is_finite() && impact.time.is_finite()) {
-            return breach(Law::Form, n, format!("time {:?}, interval {:?}", impact.time, impact.interval));
-        }
-        let sign = if n % 2 == 1 { 1.0 } else { -1.0 };
-        if impact.velocity.is_nan() || impact.velocity * sign <= 0.0 {
-            return breach(Law::SignAlternates, n, format!("velocity {:?}, expected sign {sign:+}", impact.velocity));
-        }
-        let ulps = tolerance::TIME_IS_SUM.value * f64::EPSILON * impact.time;
-        let allowed = ulps + impact.uncertainty.interval * impact.interval;
-        let off = (impact.time - before - impact.interval).abs();
-        if off.is_nan() || off > allowed {
-            return breach(Law::TimeIsSum, n, format!("off by {off:.3e}, allowed {allowed:.3e}"));
-        }
-        before = impact.time;
-    }
-    None
+    let conformance::Breach { rule, impact, how } = conformance::check_history(case, history).err()?;
+    let law = match rule {
+        Rule::SignAlternates => Law::SignAlternates,
+        Rule::TimeIsSum => Law::TimeIsSum,
+        _ => Law::Form,
+    };
+    Some(Breach { law, impact, how })
 }
 
 /// Whether the forcing at the base is that of the case's own amplitude, and the chattering runs into rest in the first half period.

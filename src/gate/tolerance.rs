@@ -48,7 +48,7 @@ pub const ACROSS_MODELS: Tolerance = Tolerance {
 /// The sum of intervals against the time.
 pub const TIME_IS_SUM: Tolerance = Tolerance {
     applies_to: "one oracle: time against the sum of its intervals",
-    value: 4.0,
+    value: contract::conformance::TIME_IS_SUM,
     meaning: "units in the last place of the time, on top of the claim for the interval",
     reason: "Two times and their difference are rounded, and a method may add intervals in plain doubles.",
 };

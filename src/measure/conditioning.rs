@@ -6,7 +6,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use contract::{Case, Model, Oracle, Sensitivity};
+use contract::{Case, History, Impact, Model, Oracle, Sensitivity, Uncertainty};
 
 use crate::measure::{
     asking::Answer,
@@ -77,6 +77,29 @@ impl Conditioning {
         };
         let impact = n.checked_sub(1).and_then(|index| self.impacts.get(index)).or(self.impacts.last());
         impact.and_then(|impact| impact.get(column)).copied().unwrap_or(0.0)
+    }
+
+    /// The conditioning of what an oracle answers to a case, by another one that has derivatives; zero where it has none there.
+    pub fn by_other(sensitive: &dyn Oracle, case: &Case) -> Self {
+        let history = sensitive.history(case).ok();
+        let by = |history| Self::by(sensitive, case, &Observed::new(case, history));
+        history.and_then(by).unwrap_or_default()
+    }
+
+    /// Widens what a history claims by these errors, of its impacts and of the chattering time, times `at_least + κ`.
+    pub fn widen(&self, history: &mut History, at_least: f64, errors: Uncertainty, of_chattering_time: f64) {
+        let more = |error: f64, observable, n| {
+            // Of no error there is no multiple, however large.
+            if error > 0.0 { error * (at_least + self.at(observable, n)) } else { 0.0 }
+        };
+        for (n, Impact { uncertainty, .. }) in (1..).zip(&mut history.impacts) {
+            uncertainty.time += more(errors.time, Observable::ImpactTime, n);
+            uncertainty.interval += more(errors.interval, Observable::Interval, n);
+            uncertainty.velocity += more(errors.velocity, Observable::Velocity, n);
+        }
+        if let Some(of) = &mut history.chattering_time {
+            of.uncertainty += more(of_chattering_time, Observable::ChatteringTime, 0);
+        }
     }
 }
 

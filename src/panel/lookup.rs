@@ -47,6 +47,14 @@ pub fn with_role(role: Role) -> Panel {
     panel(with_role.flat_map(|method| method.by_default.iter().chain(method.by_name)).copied())
 }
 
+/// What is asked beside simulators of somebody else that solve these equations: they are what is in question, so one oracle for each equation, that which steps
+/// fastest and to nearly all digits. The linear one is always there: the conditioning of the cases comes from it.
+pub fn beside(models: &[Model]) -> Panel {
+    let mut panel = with_role(Role::Stepper);
+    panel.retain(|oracle| oracle.model() == Model::Linear || models.contains(&oracle.model()));
+    panel
+}
+
 /// The oracles whose claims are proven, one for each model: they judge the others.
 pub fn judges() -> Panel {
     with_role(Role::Judge)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use contract::{Case, Model, Normalisation, Slenderness};
+use contract::{Case, Model, Normalisation, Slenderness, conformance};
 
 use super::*;
 
@@ -104,5 +104,16 @@ fn what_the_name_of_an_oracle_says_is_not_said_otherwise() {
     assert!(one("asymptotic/order-4", &order, "linear").is_err());
     for unknown in ["od", "odes", "ode/", "ode/linear/tsit45/naive/more", "taylor/x", "", "enclosure/cubic"] {
         assert!(one(unknown, &Settings::default(), "linear").is_err(), "{unknown}");
+    }
+}
+
+/// What the contract asks of every oracle; each for itself, before they are compared.
+#[test]
+fn every_oracle_keeps_the_contract() {
+    let bare = Case::from_epsilon(3e-3, 2.0, 0.85).unwrap();
+    let strong = Case::from_amplitude(1.5, 0.7, 0.6).unwrap().with_max_impacts(10).unwrap();
+    for oracle in all() {
+        let found = conformance::check(oracle.as_ref(), &[case(), bare.with_max_impacts(9).unwrap(), strong]);
+        assert_eq!(found, Ok(()), "{}", oracle.name());
     }
 }

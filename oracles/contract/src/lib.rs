@@ -26,6 +26,7 @@
 extern crate alloc;
 
 mod case;
+pub mod conformance;
 mod flight;
 mod history;
 mod invalid;

@@ -3,3 +3,4 @@
 #![allow(clippy::excessive_precision)] // Reference values are written with all the digits that are known.
 
 mod cases;
+mod conformance;
