@@ -4,7 +4,9 @@
 use contract::{Case, Decline, History, Invalid, Model, Oracle, Uncertainty};
 
 use crate::{
+    faults::explain,
     gate::{
+        guests::Guests,
         judge::Judges,
         ladder,
         report::{Engine, Granted, Report},
@@ -74,8 +76,9 @@ impl Verify {
         let cases = run::cases(&selection, panel::stepper().as_ref());
         // The ladders are a test of the panel itself.
         let ladders = ladder::descend(&beside, panel::SERIES)?;
-        let run = run::run(&all, &judges, &cases, self.seed, Some(ladders), &());
         let is_theirs = |name: &str| simulators.iter().any(|simulator| simulator.name() == name);
+        let guests = Guests { is_guest: &is_theirs, ..Guests::default() };
+        let run = run::with_guests(&all, &guests, &judges, &cases, self.seed, Some(ladders), &());
         let may_decline = |name: &str| if is_theirs(name) { self.may_decline } else { panel::may_decline(name) };
         let granted = |name: &str| self.granted.is_some() && is_theirs(name);
         let shown_by = |name: &str, flags: &str| {
@@ -83,7 +86,9 @@ impl Verify {
         };
         let roles = Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() };
         let described = simulators.iter().map(|simulator| self.described(simulator.name())).collect();
-        Ok(Report::new(&run, &roles).with_engines(described))
+        let model_of = |name: &str| simulators.iter().find(|simulator| simulator.name() == name).map(|one| one.model());
+        let report = Report::new(&run, &roles).with_engines(described, &run.tally);
+        Ok(report.explained(|name| explain::for_guest(name, model_of(name)?, &run.tally)))
     }
 
     fn described(&self, name: &str) -> Engine {

@@ -13,11 +13,11 @@ use chattercheck::{
         Entry, Fleet, Manifest, Started,
         record::{Keeper, Recording},
     },
-    faults::explain::explain,
+    faults::explain,
     gate::{
         explanation::Explanation, guests::Guests, known::Known, partition::EngineAsked, roles::Roles, tally::Tally,
     },
-    panel::{self, Panel, Role},
+    panel::{self, Panel},
     stored::sha256,
 };
 use clap::Args;
@@ -108,13 +108,10 @@ impl Asked<'_> {
         self.entries.is_empty()
     }
 
-    /// The oracles that are asked beside them unless others are named: the engine is what is in question, so one for each of their models that steps fastest
-    /// and to nearly all digits. The linear one is always there: the conditioning of the cases comes from it.
+    /// The oracles that are asked beside them unless others are named.
     pub fn panel(&self) -> Panel {
-        let is_of_engine = |model: Model| self.entries.iter().any(|entry| entry.launch.model == model);
-        let mut panel = panel::with_role(Role::Stepper);
-        panel.retain(|oracle| oracle.model() == Model::Linear || is_of_engine(oracle.model()));
-        panel
+        let models: Vec<Model> = self.entries.iter().map(|entry| entry.launch.model).collect();
+        panel::beside(&models)
     }
 
     /// Starts the engines; none if they broke, which is told.
@@ -170,9 +167,7 @@ impl Engines {
 
     /// What mistakes would explain the wrong answers of the engine of this name, of those that were kept; `None` if there is none.
     pub fn explain(&self, name: &str, tally: &Tally) -> Option<Vec<Explanation>> {
-        let model = self.fleet.engine(name)?.entry.launch.model;
-        let samples = tally.samples(name).filter(|samples| samples.has_wrong())?;
-        Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
+        explain::for_guest(name, self.fleet.engine(name)?.entry.launch.model, tally)
     }
 
     /// The engines, as far as the verdict on them depends on more than their answers.

@@ -25,7 +25,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     // Simulators of somebody else, as oracles beside the panel.
     ("engines", &["cases", "gate", "measure"]),
     // The gate in one call, for other crates.
-    ("verify", &["gate", "measure", "panel"]),
+    ("verify", &["faults", "gate", "measure", "panel"]),
     ("responders", &["cases", "gate", "measure", "motion", "panel"]),
     // The gate's own test plants faults in the panel.
     ("faults", &["cases", "gate", "measure", "panel"]),

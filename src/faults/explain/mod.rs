@@ -15,6 +15,7 @@ use crate::{
     gate::{
         explanation::{Explanation, FaultSize},
         samples::Sample,
+        tally::Tally,
     },
     panel,
 };
@@ -87,6 +88,12 @@ fn chosen(samples: &[Sample], is_wrong: bool, most: usize) -> Vec<&Sample> {
         rest.is_some()
     };
     (0..count).filter_map(|place| all.get(place * all.len() / count).copied()).filter(fits).collect()
+}
+
+/// What would explain the wrong answers of the guest of this name, of those that a run has kept; `None` if there is none.
+pub fn for_guest(name: &str, model: Model, tally: &Tally) -> Option<Vec<Explanation>> {
+    let samples = tally.samples(name).filter(|samples| samples.has_wrong())?;
+    Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
 }
 
 /// What a hypothesis explains, of samples with their deviations from the truth, at the size that fits best, if that is most; and whether that size is plausible.
