@@ -17,6 +17,7 @@ mod flight;
 mod flights;
 mod flow;
 mod forcing;
+mod ground;
 mod march;
 mod rest;
 mod sensitivity;

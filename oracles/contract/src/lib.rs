@@ -28,12 +28,14 @@ extern crate alloc;
 mod case;
 pub mod conformance;
 mod flight;
+mod ground;
 mod history;
 mod invalid;
 mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
 pub use flight::{Arrival, Departure, FlightSolver, Ground};
+pub use ground::{Motion, RICKER_ANTISYMMETRIC_PEAK, Record, Ricker, Sinusoid, Stretch};
 pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, SlendernessShift, Uncertainty};
 pub use invalid::Invalid;
 pub use oracle::{Decline, Model, Oracle};
