@@ -116,7 +116,8 @@ impl CaseFlags {
 
 /// A scene file.
 pub(super) fn read_scene(path: &Path) -> anyhow::Result<Scene> {
-    Scene::parse(&read_text(path)?).with_context(|| path.display().to_string())
+    let folder = path.parent().unwrap_or(Path::new(""));
+    Scene::parse_in(&read_text(path)?, folder).with_context(|| path.display().to_string())
 }
 
 /// A file that people write. No more of it is read than a scene may be long, and a byte to tell that it is longer.

@@ -225,7 +225,9 @@ fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow:
         lower: None,
         upper: None,
         seconds: time.map(|time| time / followed.scene.block.frequency_parameter()),
-        half_period_fraction: time.map(|time| time / followed.response.lobes.half_period()),
+        half_period_fraction: time
+            .zip(followed.response.ground.half_period())
+            .map(|(time, half_period)| time / half_period),
         impacts: bout.map_or(0, Bout::impacts),
         oracle,
         method: time.map(|_| "the response of the scene"),

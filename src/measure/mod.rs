@@ -5,6 +5,7 @@ pub mod clock;
 pub mod conditioning;
 pub mod critical;
 pub mod excitation;
+pub mod ground;
 pub mod model_gap;
 pub mod observables;
 pub mod threshold;

@@ -1,6 +1,7 @@
 //! A block on a moving ground, from rest to rest: scenes in physical units, whole responses.
 
 pub mod linearisation;
+pub mod record;
 pub mod response;
 pub mod scene;
 pub mod walk;

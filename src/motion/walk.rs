@@ -38,7 +38,12 @@ impl<'a> Walk<'a> {
     /// `until` at the latest.
     pub fn from_rest(solver: &'a dyn FlightSolver, eta: f64, start: f64, shaken: f64, until: f64) -> Self {
         let departure = Departure { ground: Ground::Shaking, time: start, side: -1.0, rotation: 0.0, velocity: 0.0 };
-        Self { solver, eta, clock: Sum::at(start), departure, shaken, until }
+        Self::from(solver, eta, departure, shaken, until)
+    }
+
+    /// From anywhere; the ground stops at `shaken`, and the walk ends at `until` at the latest.
+    pub fn from(solver: &'a dyn FlightSolver, eta: f64, departure: Departure, shaken: f64, until: f64) -> Self {
+        Self { solver, eta, clock: Sum::at(departure.time), departure, shaken, until }
     }
 
     /// What time it is.

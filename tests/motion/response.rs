@@ -149,7 +149,7 @@ proptest! {
         let oracle = oracle("closed-form");
         let response = respond(oracle.as_ref(), &request);
         for bout in &response.bouts {
-            let f = response.lobes.acceleration(bout.begin());
+            let f = response.ground.acceleration(bout.begin());
             let first = bout.flights[0];
             prop_assert!(f.abs() >= 1.0 - 1e-10 && (f.abs() <= 1.0 + 1e-10 || bout.begin() == 0.0), "{f}");
             prop_assert_eq!(bout.lobe.mirror * first.departure.side, -f.signum());
@@ -158,7 +158,7 @@ proptest! {
             let moving = to.min(request.lasts.unwrap());
             for part in 1..20 {
                 let tau = from + (moving - from) * f64::from(part) / 20.0;
-                prop_assert!(tau >= moving || response.lobes.acceleration(tau).abs() <= 1.0 + 1e-10);
+                prop_assert!(tau >= moving || response.ground.acceleration(tau).abs() <= 1.0 + 1e-10);
             }
         }
     }

@@ -27,7 +27,9 @@ mod still;
 mod takeoff;
 mod twofold;
 
-use contract::{Case, Decline, Ending, FlightSolver, History, Model, Oracle, Sensitivity, SlendernessShift};
+use contract::{
+    Body, Case, Decline, Ending, FlightSolver, History, Model, Motion, Oracle, Sensitivity, SlendernessShift,
+};
 
 use crate::{flights::Flights, forcing::Excitation, sensitivity::Derivatives, slenderness::Shifts};
 
@@ -84,6 +86,10 @@ impl Oracle for ClosedForm {
     fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
         within_reach(case)?;
         Ok(Box::new(Flights::new(case)))
+    }
+
+    fn flights_on(&self, body: &Body, motion: &Motion) -> Result<Box<dyn FlightSolver>, Decline> {
+        Ok(Box::new(ground::Flights::new(motion, body.eta())?))
     }
 }
 

@@ -1,7 +1,7 @@
 use alloc::{format, sync::Arc, vec, vec::Vec};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::Invalid;
+use crate::{Invalid, Normalisation, Slenderness};
 
 /// A motion of the ground as data: its acceleration `f(τ)` in multiples of that which starts the rocking of the block, so that the thresholds are `±1`. It starts
 /// at `τ = 0` and is nothing before and after its time. Each oracle evaluates it itself.
@@ -57,6 +57,35 @@ pub struct Record {
     pub scale: f64,
     /// The samples; shared, as a record is long and asked often.
     pub samples: Arc<[f64]>,
+}
+
+/// The block that a motion of the ground is followed with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    eta: f64,
+    alpha: Option<f64>,
+}
+
+impl Body {
+    /// A block of this restitution, and of this slenderness for the nonlinear model.
+    ///
+    /// # Errors
+    /// As [`Case::from_epsilon`](crate::Case::from_epsilon) and [`Slenderness::new`].
+    pub fn new(eta: f64, alpha: Option<f64>) -> Result<Self, Invalid> {
+        let eta = Invalid::unless(eta > 0.0 && eta < 1.0, "eta", eta, "0 < eta < 1")?;
+        let alpha = alpha.map(|alpha| Slenderness::new(alpha, Normalisation::Threshold).map(|of| of.alpha()));
+        Ok(Self { eta, alpha: alpha.transpose()? })
+    }
+
+    /// The coefficient of restitution `η` of Eq. 13.
+    pub fn eta(&self) -> f64 {
+        self.eta
+    }
+
+    /// The slenderness angle `α` in radians, where it is known.
+    pub fn alpha(&self) -> Option<f64> {
+        self.alpha
+    }
 }
 
 /// The peak of `(y³ - 3y) exp(-y²/2)`, as it is rounded where the wavelet is defined.

@@ -35,7 +35,7 @@ mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
 pub use flight::{Arrival, Departure, FlightSolver, Ground};
-pub use ground::{Motion, RICKER_ANTISYMMETRIC_PEAK, Record, Ricker, Sinusoid, Stretch};
+pub use ground::{Body, Motion, RICKER_ANTISYMMETRIC_PEAK, Record, Ricker, Sinusoid, Stretch};
 pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, SlendernessShift, Uncertainty};
 pub use invalid::Invalid;
 pub use oracle::{Decline, Model, Oracle};

@@ -1,7 +1,7 @@
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Case, FlightSolver, History, Sensitivity, SlendernessShift};
+use crate::{Body, Case, FlightSolver, History, Motion, Sensitivity, SlendernessShift};
 
 /// One method that turns a case into an impact history.
 ///
@@ -43,6 +43,15 @@ pub trait Oracle: Send + Sync {
     /// rest its block never flies.
     fn flights(&self, _case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
         Err(Decline::Unsupported { what: "single flights" })
+    }
+
+    /// A solver for single flights of a block on ground that moves in any way. The times of its departures are counted from the start of the motion, and the
+    /// ground of them is [`Ground::Shaking`](crate::Ground::Shaking) until the motion ends.
+    ///
+    /// # Errors
+    /// A [`Decline`] from a method that only does the sinusoid of a case, or cannot do this motion.
+    fn flights_on(&self, _body: &Body, _motion: &Motion) -> Result<Box<dyn FlightSolver>, Decline> {
+        Err(Decline::Unsupported { what: "motions of the ground that are no case" })
     }
 }
 

@@ -8,16 +8,18 @@ mod fall;
 mod lobes;
 mod run;
 mod sample;
+mod shaken;
 mod tail;
 mod termination;
 
 use std::sync::Arc;
 
-use contract::{Arrival, Case, Decline, Invalid, Loss, Oracle, Slenderness};
+use contract::{Arrival, Body, Case, Decline, Invalid, Loss, Motion, Oracle, Slenderness};
 
 pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
 pub use sample::{Sample, State, Window};
+pub use shaken::Shaken;
 pub use termination::Termination;
 
 /// A motion of the ground, and how far the block is followed. All times are `τ`, from the start of the motion.
@@ -43,11 +45,32 @@ pub struct Request {
     pub most_impacts: usize,
 }
 
+/// A block on ground that moves in any way, and how far it is followed. All times are `τ`, from the start of the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnMotion {
+    /// The block.
+    pub body: Body,
+    /// The motion; the amplitude in multiples of the acceleration at which the block begins to rock.
+    pub motion: Arc<Motion>,
+    /// By how much the motion may be off by the rounding of what it was computed from, relative.
+    pub rounding: f64,
+    /// The rotation and the velocity at `τ = 0`, `φ` and `φ'`; from rest if both are 0.
+    pub start: (f64, f64),
+    /// As [`Request::until`].
+    pub until: f64,
+    /// As [`Request::lies_at`].
+    pub lies_at: Option<f64>,
+    /// How chattering is ended: exactly, or by a velocity threshold.
+    pub termination: Termination,
+    /// How many impacts are followed at the most.
+    pub most_impacts: usize,
+}
+
 /// A whole response. Between its bouts the block rests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
-    /// The excitation.
-    pub lobes: Lobes,
+    /// The motion of the ground.
+    pub ground: Shaken,
     /// When it ends.
     pub lasts: Option<f64>,
     /// The times of rocking, in order.
@@ -190,14 +213,29 @@ impl Response {
         if request.case.epsilon() <= 0.0 {
             // Below the threshold nothing ever happens.
             let end = request.lasts.unwrap_or(f64::INFINITY).min(request.until);
-            let lobes = Lobes::new(&request.case, request.phase);
-            return Ok(Self { lobes, lasts: request.lasts, bouts: Vec::new(), lying: None, end });
+            let ground = Shaken::Sinusoid(Lobes::new(&request.case, request.phase));
+            return Ok(Self { ground, lasts: request.lasts, bouts: Vec::new(), lying: None, end });
         }
         let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
         // What rounding does in all flights before a rest is what moving the parameters by about a rounding does.
         let case = nudged(&request.case, request.rounding)
             .map_err(|_| Decline::Unsupported { what: "cases at the border of what is allowed" })?;
         let other = run::follow(&Request { case, ..*request }, oracle.flights(&case)?.as_ref());
+        Ok(response.with_conditioning(&other))
+    }
+
+    /// The response to another motion than a sinusoid, by the flights of `oracle`.
+    ///
+    /// # Errors
+    /// When the oracle declines, because it has no flights on such a motion or can't do it.
+    pub fn on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<Self, Decline> {
+        let response = run::follow_motion(request, oracle.flights_on(&request.body, &request.motion)?.as_ref());
+        let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
+        // A record has been divided by the threshold: some roundings of each sample.
+        let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
+        let body = Body::new(request.body.eta() * (1.0 - 0.5 * f64::EPSILON), request.body.alpha()).map_err(border)?;
+        let other = OnMotion { body, motion: Arc::new(motion), ..request.clone() };
+        let other = run::follow_motion(&other, oracle.flights_on(&other.body, &other.motion)?.as_ref());
         Ok(response.with_conditioning(&other))
     }
 

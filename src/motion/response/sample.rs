@@ -3,7 +3,7 @@
 use contract::{Arrival, Decline, FlightSolver, Ground, Oracle};
 use serde::Serialize;
 
-use super::{Bout, Flight, Request, Response};
+use super::{Bout, Flight, OnMotion, Request, Response};
 
 /// A part of a response, and how many rows it is to have about.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,33 +58,54 @@ impl Response {
     /// # Errors
     /// When `oracle`, which the response is of, declines the case.
     pub fn samples(&self, oracle: &dyn Oracle, request: &Request, window: &Window) -> Result<Vec<Sample>, Decline> {
+        self.rows(window, || oracle.flights(&request.case))
+    }
+
+    /// The rows of a window of a response to another motion than a sinusoid.
+    ///
+    /// # Errors
+    /// When `oracle`, which the response is of, declines it.
+    pub fn samples_on_motion(
+        &self,
+        oracle: &dyn Oracle,
+        request: &OnMotion,
+        window: &Window,
+    ) -> Result<Vec<Sample>, Decline> {
+        self.rows(window, || oracle.flights_on(&request.body, &request.motion))
+    }
+
+    fn rows(
+        &self,
+        window: &Window,
+        solver: impl FnOnce() -> Result<Box<dyn FlightSolver>, Decline>,
+    ) -> Result<Vec<Sample>, Decline> {
         let mut rows = Rows { response: self, window: *window, rows: Vec::new() };
         if self.bouts.is_empty() {
             rows.rest(0.0, self.end);
             return Ok(rows.rows);
         }
-        let solver = oracle.flights(&request.case)?;
+        let solver = solver()?;
         let mut now = 0.0;
         for bout in &self.bouts {
             rows.rest(now, bout.begin());
-            rows.bout(bout, solver.as_ref());
+            rows.bout(bout, &self.ground.seen(solver.as_ref(), bout.lobe));
             now = bout.end();
         }
         if self.bouts.last().is_some_and(|bout| bout.outcome.is_rest()) {
             rows.rest(now, self.end);
             // It may come to rest just as the response ends.
             if rows.inside(now, now).is_some() && now >= self.end {
-                rows.push(now, self.ground(now), (0.0, 0.0), State::Rest);
+                rows.push(now, self.ground_at(now), (0.0, 0.0), State::Rest);
             }
         }
         if let Some(rotation) = self.lying.filter(|_| rows.inside(now, now).is_some()) {
-            rows.push(now, self.ground(now), (rotation, 0.0), State::Lying);
+            rows.push(now, self.ground_at(now), (rotation, 0.0), State::Lying);
         }
         Ok(rows.rows)
     }
 
     /// What the ground does at `tau`.
-    fn ground(&self, tau: f64) -> Ground {
+    fn ground_at(&self, tau: f64) -> Ground {
         if self.lasts.is_some_and(|lasts| tau > lasts) { Ground::Still } else { Ground::Shaking }
     }
 }
@@ -108,7 +129,7 @@ impl Rows<'_> {
 
     fn push(&mut self, tau: f64, ground: Ground, (phi, phi_velocity): (f64, f64), state: State) {
         let ground_acceleration = match ground {
-            Ground::Shaking => self.response.lobes.acceleration(tau),
+            Ground::Shaking => self.response.ground.acceleration(tau),
             Ground::Still => 0.0,
         };
         self.rows.push(Sample { tau, phi, phi_velocity, ground_acceleration, state });
@@ -120,7 +141,7 @@ impl Rows<'_> {
             return;
         }
         let parts = ((to - from) / self.step()).ceil().max(1.0);
-        let ground = self.response.ground(0.5 * (from + to));
+        let ground = self.response.ground_at(0.5 * (from + to));
         for tau in steps((from, to), parts) {
             self.push(tau, ground, (0.0, 0.0), State::Rest);
         }

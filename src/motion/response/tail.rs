@@ -41,6 +41,15 @@ impl Tail {
         if !solver.rests(departure) {
             return None;
         }
+        if departure.ground == Ground::Shaking
+            && let Some(left) = solver.time_to_rest(departure)
+        {
+            // Between bounds that close in as the block slows down: no sum of those before, which may have been under another motion.
+            let off = left.uncertainty + f64::EPSILON * now;
+            let enough = left.value <= RESOLVED * now && off <= ACCURACY * now || self.certain >= MOST_CERTAIN;
+            self.certain += 1;
+            return enough.then_some(Estimate { value: now + left.value, uncertainty: off });
+        }
         if self.certain == 0 && departure.ground == Ground::Still {
             self.known = solver
                 .time_to_rest(departure)

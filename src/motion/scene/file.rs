@@ -10,11 +10,14 @@ use toml::Spanned;
 use crate::cases::toml_error::Allowed;
 
 /// What is allowed for each field, in words.
-pub const ALLOWED: [Allowed; 20] = [
+pub const ALLOWED: [Allowed; 42] = [
     ("title", "a text in quotes"),
     ("block", "a table [block]"),
     ("ground", "a table [ground]"),
     ("ask", "a table [ask]"),
+    ("start", "a table [start]"),
+    ("width", "a number, 1e-6 to 1e6 (metres)"),
+    ("height", "a number, 1e-6 to 1e6 (metres)"),
     ("half_width", "a number, 1e-6 to 1e6 (metres)"),
     ("half_height", "a number, 1e-6 to 1e6 (metres)"),
     ("radius", "a number, 1e-6 to 1e6 (metres)"),
@@ -31,12 +34,37 @@ pub const ALLOWED: [Allowed; 20] = [
     ("tolerance", "a number, 1e-15 to 0.5 (relative)"),
     ("hz", "a number, 1e-9 to 1e9 (cycles a second)"),
     ("g", "a number, 0 to 1e6"),
+    ("m-per-s2", "a number, 0 to 1e6"),
+    ("over-threshold", "a number, 0 to 1e6"),
+    ("over-slender-threshold", "a number, 0 to 1e6"),
+    ("omega", "a number, 1e-9 to 1e9 (over p)"),
+    ("pulse", PULSES),
+    ("center", TIMES),
+    ("gamma", "a number, 1e-3 to 1e3"),
+    ("sinusoids", "a list of { amplitude = .., frequency = .., phase = .. }, 1 to 300 of them"),
+    ("record", RECORDS),
+    ("file", "a text in quotes: the path of the record, from where the scene is"),
+    ("units", UNITS),
+    ("scale", "a number, -1e6 to 1e6"),
+    ("time_scale", "a number, 1e-6 to 1e6"),
+    ("dt", TIMES),
+    ("column", "a whole number, 1 to 1000"),
+    ("rotation", "a number, of alpha, with its sign"),
+    ("velocity", "a number (phi')"),
+    ("tau", "a number above 0, up to 1e9"),
+    ("seconds", "a number above 0, up to 1e9"),
 ];
 const RESTITUTIONS: &str = "a number above 0 and below 1, or \"housner\"";
 const AMPLITUDES: &str =
     "one of { g = number }, { m-per-s2 = number }, { over-threshold = number } or { over-slender-threshold = number }";
 const FREQUENCIES: &str = "one of { hz = number } or { omega = number }";
-const DURATIONS: &str = "one of { seconds = number } or { cycles = number }";
+const DURATIONS: &str = "one of { seconds = number }, { tau = number } or { cycles = number }";
+const TIMES: &str = "one of { seconds = number } or { tau = number }";
+const PULSES: &str =
+    "one of \"one-sine\", \"one-cosine\", \"ricker\", \"ricker-antisymmetric\" or \"mavroeidis-papageorgiou\"";
+const RECORDS: &str =
+    "a table { file = \"..\", units = \"..\" }, with scale, time_scale, dt and column where they are needed";
+const UNITS: &str = "one of \"g\", \"m/s2\", \"cm/s2\" or \"threshold\"";
 const QUESTIONS: &str =
     "a list of at least one of \"impact-times\", \"chattering-time\", \"response\" and \"rest-periods\", each once";
 
@@ -51,15 +79,23 @@ pub struct SceneFile {
     pub block: BlockFields,
     /// The motion of the ground.
     pub ground: GroundFields,
+    /// How the block is at the start; at rest unless given.
+    pub start: Option<StartFields>,
     /// What is asked.
     #[serde(default)]
     pub ask: AskFields,
 }
 
-/// The block: its size by `half_width` and `half_height`, or by `radius` and `slenderness`.
+/// The block: its size by `width` and `height`, by half of them, `half_width` and `half_height`, or by `radius` and `slenderness`.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BlockFields {
+    /// The width of the base, `2b`, in metres; above 0.
+    #[schemars(with = "Option<f64>")]
+    pub width: Option<Spanned<f64>>,
+    /// The height, `2h`, in metres; above 0.
+    #[schemars(with = "Option<f64>")]
+    pub height: Option<Spanned<f64>>,
     /// Half of the width of the base, `b`, in metres; above 0.
     #[schemars(with = "Option<f64>")]
     pub half_width: Option<Spanned<f64>>,
@@ -99,18 +135,19 @@ pub enum RestitutionRule {
     Housner,
 }
 
-/// A sinusoidal acceleration of the ground, `A sin(2π f t + phase)` from `t = 0` on.
+/// The acceleration of the ground from `t = 0` on: a sinusoid, `A sin(2π f t + phase)`, by its amplitude and frequency; or a named pulse, a sum of sinusoids, or a
+/// record.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GroundFields {
-    /// The amplitude.
-    #[schemars(with = "Amplitude")]
-    #[serde(deserialize_with = "amplitude")]
-    pub amplitude: Spanned<Amplitude>,
+    /// The amplitude; of a pulse its peak.
+    #[schemars(with = "Option<Amplitude>")]
+    #[serde(default, deserialize_with = "amplitude_if_any")]
+    pub amplitude: Option<Spanned<Amplitude>>,
     /// The frequency.
-    #[schemars(with = "Frequency")]
-    #[serde(deserialize_with = "frequency")]
-    pub frequency: Spanned<Frequency>,
+    #[schemars(with = "Option<Frequency>")]
+    #[serde(default, deserialize_with = "frequency_if_any")]
+    pub frequency: Option<Spanned<Frequency>>,
     /// The phase at `t = 0` in radians. Unless given the motion starts at the threshold, so that the block begins to rock at once; one that stays below it starts at
     /// its peak.
     #[schemars(with = "Option<f64>")]
@@ -119,6 +156,101 @@ pub struct GroundFields {
     #[schemars(with = "Option<Duration>")]
     #[serde(default, deserialize_with = "duration")]
     pub duration: Option<Spanned<Duration>>,
+    /// The name of a pulse.
+    #[schemars(with = "Option<PulseName>")]
+    pub pulse: Option<Spanned<PulseName>>,
+    /// When the middle of a Ricker wavelet is; it lasts twice as long.
+    #[schemars(with = "Option<Time>")]
+    #[serde(default, deserialize_with = "time")]
+    pub center: Option<Spanned<Time>>,
+    /// How many cycles the envelope of a pulse of Mavroeidis and Papageorgiou lasts, `γ`; its `ν` is `phase`.
+    #[schemars(with = "Option<f64>")]
+    pub gamma: Option<Spanned<f64>>,
+    /// Sinusoids that are added up, over `duration`.
+    #[schemars(with = "Option<Vec<SineFields>>")]
+    pub sinusoids: Option<Spanned<Vec<SineFields>>>,
+    /// A recorded motion.
+    pub record: Option<RecordFields>,
+}
+
+/// A pulse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PulseName {
+    /// One period of a sine.
+    OneSine,
+    /// One period of a cosine.
+    OneCosine,
+    /// The wavelet of Ricker, symmetric.
+    Ricker,
+    /// The wavelet of Ricker, antisymmetric.
+    RickerAntisymmetric,
+    /// That of Mavroeidis and Papageorgiou (2003).
+    MavroeidisPapageorgiou,
+}
+
+/// One of several sinusoids.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SineFields {
+    /// The amplitude.
+    #[schemars(with = "Amplitude")]
+    #[serde(deserialize_with = "amplitude")]
+    pub amplitude: Spanned<Amplitude>,
+    /// The frequency.
+    #[schemars(with = "Frequency")]
+    #[serde(deserialize_with = "frequency")]
+    pub frequency: Spanned<Frequency>,
+    /// The phase at `t = 0` in radians; 0 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub phase: Option<Spanned<f64>>,
+}
+
+/// A recorded motion of the ground: samples at `k dt`, linear in between, nothing before the first and after the last. Nothing is corrected or filtered.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RecordFields {
+    /// The path of the file, from where the scene is.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// What the numbers in the file are in: `g`, `m/s2`, `cm/s2` or `threshold`, the acceleration at which the block begins to rock.
+    #[schemars(with = "Option<String>")]
+    pub units: Option<Spanned<String>>,
+    /// What the samples are multiplied with, of either sign; 1 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub scale: Option<Spanned<f64>>,
+    /// What the times are multiplied with; 1 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub time_scale: Option<Spanned<f64>>,
+    /// The time between samples, where the file does not say.
+    #[schemars(with = "Option<Time>")]
+    #[serde(default, deserialize_with = "time")]
+    pub dt: Option<Spanned<Time>>,
+    /// Which column of a table, the first being 1.
+    #[schemars(with = "Option<u32>")]
+    pub column: Option<Spanned<i64>>,
+}
+
+/// How the block is at the start.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartFields {
+    /// The rotation as a share of `α`, with its sign; 0 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub rotation: Option<Spanned<f64>>,
+    /// The velocity `φ'`, with its sign; 0 unless given.
+    #[schemars(with = "Option<f64>")]
+    pub velocity: Option<Spanned<f64>>,
+}
+
+/// A time, above 0, in one of two ways.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Time {
+    /// In seconds.
+    Seconds(f64),
+    /// In `1/p` of the block.
+    Tau(f64),
 }
 
 /// The amplitude of the ground acceleration, from 0 on, in one of four ways.
@@ -145,12 +277,14 @@ pub enum Frequency {
     Omega(f64),
 }
 
-/// How long the ground moves, in one of two ways.
+/// How long the ground moves, in one of three ways.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Duration {
     /// In seconds.
     Seconds(f64),
+    /// In `1/p` of the block.
+    Tau(f64),
     /// In cycles of the ground motion.
     Cycles(f64),
 }
@@ -173,6 +307,18 @@ fn amplitude<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Ampli
 
 fn frequency<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Spanned<Frequency>, D::Error> {
     in_one_way(deserializer, "frequency", FREQUENCIES)
+}
+
+fn amplitude_if_any<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Amplitude>>, D::Error> {
+    amplitude(deserializer).map(Some)
+}
+
+fn frequency_if_any<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Frequency>>, D::Error> {
+    frequency(deserializer).map(Some)
+}
+
+fn time<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Time>>, D::Error> {
+    in_one_way(deserializer, "time", TIMES).map(Some)
 }
 
 fn duration<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Spanned<Duration>>, D::Error> {

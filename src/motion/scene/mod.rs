@@ -5,17 +5,21 @@
 mod answer;
 mod file;
 mod response;
+mod shaking;
 
-use std::{f64::consts::TAU, fmt, ops::Range};
+use std::{f64::consts::TAU, fmt, ops::Range, path::Path};
 
 use contract::{Case, Invalid, Model, Normalisation, Slenderness};
 use toml::Spanned;
 
 pub use answer::{AnswerError, Answers, ChatteringTime, Summary};
 pub use file::{
-    Amplitude, AskFields, BlockFields, Duration, Frequency, GroundFields, ModelName, Question, Restitution,
-    RestitutionRule, SceneFile,
+    Amplitude, AskFields, BlockFields, Duration, Frequency, GroundFields, ModelName, PulseName, Question, RecordFields,
+    Restitution, RestitutionRule, SceneFile, SineFields, StartFields, Time,
 };
+pub use shaking::Shaking;
+
+use shaking::Reader;
 
 use crate::cases::toml_error::{is_control, read};
 
@@ -33,6 +37,8 @@ pub struct Scene {
     pub block: Block,
     /// The ground motion.
     pub ground: Ground,
+    /// The rotation and the velocity at the start, `φ` and `φ'`; both 0 at rest.
+    pub start: (f64, f64),
     /// What is asked.
     pub ask: Ask,
 }
@@ -50,9 +56,18 @@ pub struct Block {
     pub gravity: f64,
 }
 
+/// A ground acceleration.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ground {
+    /// A sinusoid.
+    Sinusoid(Sine),
+    /// Another motion: a pulse, a sum of sinusoids, a record; or a sinusoid under a block that does not start from rest.
+    Shaking(Shaking),
+}
+
 /// A sinusoidal ground acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground {
+pub struct Sine {
     /// As it is written.
     pub amplitude: Amplitude,
     /// As it is written.
@@ -135,19 +150,57 @@ impl Scene {
     /// # Errors
     /// When the text is not TOML, a key is unknown or missing, or a value is not allowed. The message names the line.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
+        Self::parse_in(text, Path::new(""))
+    }
+
+    /// Reads a scene whose files are named from where `folder` is.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`], and when a record can't be read.
+    pub fn parse_in(text: &str, folder: &Path) -> Result<Self, SceneError> {
         if text.len() > MOST_BYTES {
             return Err(SceneError(Invalid::new("size of the file", text.len(), "up to 1 MiB").to_string()));
         }
         let file: SceneFile = read(text, &file::ALLOWED).map_err(SceneError)?;
         let text = Text(text);
         let block = Block::read(&file.block, &text)?;
+        let ask = Ask::read(&file.ask, &text)?;
+        let start = file.start.as_ref().map_or(Ok((0.0, 0.0)), |start| start_of(start, &text))?;
+        let reader = Reader { block: &block, model: ask.model, text: &text, folder };
+        let ground = match reader.shaking(&file.ground)? {
+            Some(shaking) => Ground::Shaking(shaking),
+            None => {
+                let sine = Sine::read(&file.ground, &block, &text)?;
+                if start == (0.0, 0.0) {
+                    Ground::Sinusoid(sine)
+                } else {
+                    Ground::Shaking(reader.from_sine(&sine, &file.ground)?)
+                }
+            }
+        };
         Ok(Self {
             // It is printed: no control characters.
             title: file.title.unwrap_or_default().chars().filter(|c| !is_control(*c)).take(200).collect(),
-            ground: Ground::read(&file.ground, &block, &text)?,
-            ask: Ask::read(&file.ask, &text)?,
+            ground,
+            start,
+            ask,
             block,
         })
+    }
+
+    /// The sinusoid, of a scene that is one.
+    ///
+    /// # Errors
+    /// When its ground moves in another way.
+    pub fn sine(&self) -> Result<&Sine, Invalid> {
+        match &self.ground {
+            Ground::Sinusoid(sine) => Ok(sine),
+            Ground::Shaking(Shaking { name, .. }) => Err(Invalid::new(
+                "ground",
+                *name,
+                "a sinusoid under a block at rest, for what is asked; `chattercheck response` does every motion",
+            )),
+        }
     }
 
     /// The dimensionless case: that of the first rocking from rest, with the slenderness if the model needs it.
@@ -160,43 +213,17 @@ impl Scene {
     /// # Errors
     /// When the numbers leave the range of a case.
     pub fn case(&self) -> Result<Case, Invalid> {
-        let omega = self.omega();
-        let (a, normalisation) = match self.ground.amplitude {
+        let sine = self.sine()?;
+        let omega = self.block.omega(sine.frequency);
+        let (a, normalisation) = match sine.amplitude {
             Amplitude::OverSlenderThreshold(a) => (a, Normalisation::Slender),
-            _ => (self.over_threshold(), Normalisation::Threshold),
+            amplitude => (self.block.over_threshold(amplitude), Normalisation::Threshold),
         };
         let case = Case::from_amplitude(a, omega, self.block.restitution)?.with_max_impacts(self.ask.impacts)?;
         Ok(match self.ask.model {
             Model::Linear => case,
             Model::Nonlinear => case.with_slenderness(Slenderness::new(self.block.slenderness, normalisation)?),
         })
-    }
-
-    /// The amplitude of the ground acceleration in m/s².
-    pub fn acceleration(&self) -> f64 {
-        let Block { gravity, slenderness, .. } = self.block;
-        match self.ground.amplitude {
-            Amplitude::G(value) => value * gravity,
-            Amplitude::MPerS2(value) => value,
-            Amplitude::OverThreshold(a) => a * gravity * slenderness.tan(),
-            Amplitude::OverSlenderThreshold(a) => a * gravity * slenderness,
-        }
-    }
-
-    /// The amplitude over the threshold `g tan α` (Eq. 1); without rounding where it is written so.
-    fn over_threshold(&self) -> f64 {
-        match self.ground.amplitude {
-            Amplitude::OverThreshold(a) => a,
-            _ => self.acceleration() / (self.block.gravity * self.block.slenderness.tan()),
-        }
-    }
-
-    /// The frequency ratio `ω = ω_g/p`.
-    pub fn omega(&self) -> f64 {
-        match self.ground.frequency {
-            Frequency::Omega(omega) => omega,
-            Frequency::Hz(frequency) => TAU * frequency / self.block.frequency_parameter(),
-        }
     }
 }
 
@@ -205,13 +232,17 @@ impl Block {
         const LENGTH: &str = "1e-6 to 1e6 (metres)";
         let length =
             |field, value: &Spanned<f64>| text.number(field, value, |value| (1e-6..=1e6).contains(&value), LENGTH);
-        let BlockFields { half_width, half_height, radius, slenderness, restitution, gravity } = fields;
-        let (radius, slenderness) = match (half_width, half_height, radius, slenderness) {
-            (Some(width), Some(height), None, None) => {
+        let BlockFields { width, height, half_width, half_height, radius, slenderness, restitution, gravity } = fields;
+        let (radius, slenderness) = match ((width, height), (half_width, half_height), (radius, slenderness)) {
+            ((Some(width), Some(height)), (None, None), (None, None)) => {
+                let (width, height) = (0.5 * length("width", width)?, 0.5 * length("height", height)?);
+                (width.hypot(height), width.atan2(height))
+            }
+            ((None, None), (Some(width), Some(height)), (None, None)) => {
                 let (width, height) = (length("half_width", width)?, length("half_height", height)?);
                 (width.hypot(height), width.atan2(height))
             }
-            (None, None, Some(radius), Some(slenderness)) => {
+            ((None, None), (None, None), (Some(radius), Some(slenderness))) => {
                 let allowed = |value: f64| (1e-100..std::f64::consts::FRAC_PI_2).contains(&value);
                 let slenderness =
                     text.number("slenderness", slenderness, allowed, "1e-100 <= slenderness < pi/2 (radians)")?;
@@ -219,7 +250,7 @@ impl Block {
             }
             _ => {
                 return Err(SceneError(
-                    "[block] needs half_width and half_height, or radius and slenderness, and not both pairs"
+                    "[block] needs width and height (of the whole block), or half_width and half_height (half of them), or radius and slenderness; one pair, and nothing of another"
                         .to_owned(),
                 ));
             }
@@ -244,24 +275,66 @@ impl Block {
         Ok(Self { radius, slenderness, restitution, gravity })
     }
 
+    /// An amplitude of the ground acceleration in m/s².
+    pub fn acceleration(&self, amplitude: Amplitude) -> f64 {
+        let Self { gravity, slenderness, .. } = *self;
+        match amplitude {
+            Amplitude::G(value) => value * gravity,
+            Amplitude::MPerS2(value) => value,
+            Amplitude::OverThreshold(a) => a * gravity * slenderness.tan(),
+            Amplitude::OverSlenderThreshold(a) => a * gravity * slenderness,
+        }
+    }
+
+    /// An amplitude over the threshold `g tan α` (Eq. 1); without rounding where it is written so.
+    pub fn over_threshold(&self, amplitude: Amplitude) -> f64 {
+        match amplitude {
+            Amplitude::OverThreshold(a) => a,
+            _ => self.acceleration(amplitude) / (self.gravity * self.slenderness.tan()),
+        }
+    }
+
+    /// The frequency ratio `ω = ω_g/p`.
+    pub fn omega(&self, frequency: Frequency) -> f64 {
+        match frequency {
+            Frequency::Omega(omega) => omega,
+            Frequency::Hz(frequency) => TAU * frequency / self.frequency_parameter(),
+        }
+    }
+
     /// The frequency parameter `p = (3g/4R)^(1/2)` in 1/s (after Eq. 2).
     pub fn frequency_parameter(&self) -> f64 {
         (0.75 * self.gravity / self.radius).sqrt()
     }
 }
 
-impl Ground {
+impl Sine {
     fn read(fields: &GroundFields, block: &Block, text: &Text) -> Result<Self, SceneError> {
         let positive = |value: f64| (1e-9..=1e9).contains(&value);
-        let amplitude = *fields.amplitude.get_ref();
+        let needed = |field: &str| {
+            SceneError(format!(
+                "[ground] needs {field}: a sinusoid has an amplitude and a frequency; or it is a pulse, sinusoids or a record"
+            ))
+        };
+        shaking::refuse_unused(
+            text,
+            "a sinusoid",
+            [
+                ("center", fields.center.as_ref().map(Spanned::span)),
+                ("gamma", fields.gamma.as_ref().map(Spanned::span)),
+            ],
+        )?;
+        let fields_amplitude = fields.amplitude.as_ref().ok_or_else(|| needed("amplitude"))?;
+        let fields_frequency = fields.frequency.as_ref().ok_or_else(|| needed("frequency"))?;
+        let amplitude = *fields_amplitude.get_ref();
         let (Amplitude::G(value)
         | Amplitude::MPerS2(value)
         | Amplitude::OverThreshold(value)
         | Amplitude::OverSlenderThreshold(value)) = amplitude;
-        text.check("amplitude", value, &fields.amplitude.span(), |value| (0.0..=1e6).contains(&value), "0 to 1e6")?;
-        let frequency = *fields.frequency.get_ref();
+        text.check("amplitude", value, &fields_amplitude.span(), |value| (0.0..=1e6).contains(&value), "0 to 1e6")?;
+        let frequency = *fields_frequency.get_ref();
         let (Frequency::Hz(value) | Frequency::Omega(value)) = frequency;
-        text.check("frequency", value, &fields.frequency.span(), positive, "1e-9 to 1e9")?;
+        text.check("frequency", value, &fields_frequency.span(), positive, "1e-9 to 1e9")?;
         let whole_turns =
             |phase: &Spanned<f64>| text.number("phase", phase, |phase| phase.abs() <= 1e3, "-1000 to 1000 (radians)");
         let phase = fields.phase.as_ref().map(whole_turns).transpose()?;
@@ -272,6 +345,7 @@ impl Ground {
         let seconds = |duration: &Spanned<Duration>| {
             let (field, value, seconds) = match *duration.get_ref() {
                 Duration::Seconds(seconds) => ("duration", seconds, seconds),
+                Duration::Tau(tau) => ("duration", tau, tau / block.frequency_parameter()),
                 Duration::Cycles(cycles) => ("duration", cycles, cycles / cycles_a_second),
             };
             let most = |_| seconds > 0.0 && seconds * cycles_a_second <= 1e4;
@@ -281,6 +355,17 @@ impl Ground {
         let duration = fields.duration.as_ref().map(seconds).transpose()?;
         Ok(Self { amplitude, frequency, phase, duration })
     }
+}
+
+/// The rotation and the velocity at the start.
+fn start_of(fields: &StartFields, text: &Text) -> Result<(f64, f64), SceneError> {
+    let number = |field, value: &Option<Spanned<f64>>, allowed, holds: fn(f64) -> bool| {
+        value.as_ref().map_or(Ok(0.0), |value| text.number(field, value, holds, allowed))
+    };
+    let below_the_corner = "above -1 and below 1 (of alpha)";
+    let rotation = number("rotation", &fields.rotation, below_the_corner, |value| value.abs() < 1.0)?;
+    let velocity = number("velocity", &fields.velocity, "-1e6 to 1e6 (phi')", |value| value.abs() <= 1e6)?;
+    Ok((rotation, velocity))
 }
 
 impl Ask {

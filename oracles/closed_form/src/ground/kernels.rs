@@ -82,9 +82,15 @@ mod tests {
                     let d = 1e-5;
                     let ((low, low_rate), (value, rate), (high, high_rate)) = (kernel(s - d), kernel(s), kernel(s + d));
                     let size = value.abs() + pull(s).abs() + 1e-3;
-                    assert!(((high - low) / (2.0 * d) - rate).abs() < 2e-7 * (size + rate.abs()) * (1.0 + omega * omega), "{name} {omega} {s}");
+                    assert!(
+                        ((high - low) / (2.0 * d) - rate).abs() < 2e-7 * (size + rate.abs()) * (1.0 + omega * omega),
+                        "{name} {omega} {s}"
+                    );
                     let second = (high_rate - low_rate) / (2.0 * d);
-                    assert!((second - value - pull(s)).abs() < 3e-7 * size * (1.0 + omega * omega), "{name} {omega} {s}: {second} {value}");
+                    assert!(
+                        (second - value - pull(s)).abs() < 3e-7 * size * (1.0 + omega * omega),
+                        "{name} {omega} {s}: {second} {value}"
+                    );
                 }
             }
         }

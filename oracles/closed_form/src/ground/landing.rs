@@ -35,7 +35,11 @@ fn search(flight: &Flight, from: f64, to: f64, shortest: f64) -> Search {
             if flight.at(lowest).0 <= 0.0 { Search::Root(root(flight, from, lowest)) } else { Search::None }
         }
         Shape::Unknown if to - from <= shortest => {
-            if high.0 <= 0.0 { Search::Root(root(flight, from, to)) } else { Search::None }
+            if high.0 <= 0.0 {
+                Search::Root(root(flight, from, to))
+            } else {
+                Search::None
+            }
         }
         Shape::Unknown => {
             let middle = from + 0.5 * (to - from);
@@ -87,10 +91,7 @@ pub fn pull_between(flight: &Flight, from: f64, to: f64) -> Option<(f64, f64)> {
     // Just after a change at that time.
     let (start, middle) = (flight.pull(from.next_up()), flight.pull(from + half));
     let bow = 0.5 * change.curvature * half * half;
-    let by_middle = (
-        middle.value - middle.slope.abs() * half - bow,
-        middle.value + middle.slope.abs() * half + bow,
-    );
+    let by_middle = (middle.value - middle.slope.abs() * half - bow, middle.value + middle.slope.abs() * half + bow);
     let (straight, bow) = (start.value + start.slope * length, 0.5 * change.curvature * length * length);
     let by_start = (start.value.min(straight - bow), start.value.max(straight + bow));
     Some((by_middle.0.max(by_start.0), by_middle.1.min(by_start.1)))
@@ -106,7 +107,11 @@ fn root(flight: &Flight, from: f64, to: f64) -> f64 {
     let mut s = if is_from_base && guess > low && guess < high { guess } else { to };
     for _ in 0..200 {
         let (u, rate) = flight.at(s);
-        if u > 0.0 { low = s } else { high = s }
+        if u > 0.0 {
+            low = s
+        } else {
+            high = s
+        }
         let slope = if is_from_base { rate - u / s } else { rate };
         let newton = s - u / slope;
         let next = if newton > low && newton < high { newton } else { low + 0.5 * (high - low) };

@@ -6,8 +6,9 @@ mod landing;
 mod pull;
 mod rest;
 
-use contract::{Arrival, Decline, Departure, Estimate, FlightSolver, Loss, Motion};
+use contract::{Arrival, Decline, Departure, Estimate, FlightSolver, Ground as State, Loss, Motion};
 
+use crate::still;
 use flight::Flight;
 use landing::{Search, first_root};
 use pull::{Change, Ground};
@@ -54,6 +55,9 @@ impl Flights {
 
 impl FlightSolver for Flights {
     fn fly(&self, departure: &Departure, horizon: f64) -> Arrival {
+        if departure.ground == State::Still {
+            return still::fly((departure.rotation, departure.velocity), horizon);
+        }
         let mut window = 0.0;
         let mut elapsed = 0.0;
         let mut flight = self.flight(departure, window);
@@ -105,6 +109,9 @@ impl FlightSolver for Flights {
     }
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
+        if departure.ground == State::Still {
+            return still::motion((departure.rotation, departure.velocity), s);
+        }
         self.flight(departure, s).at(s)
     }
 
@@ -113,7 +120,10 @@ impl FlightSolver for Flights {
     }
 
     fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
-        let Departure { side, time, rotation, velocity, .. } = *departure;
+        let Departure { ground, side, time, rotation, velocity } = *departure;
+        if ground == State::Still && rotation == 0.0 {
+            return still::time_to_rest(velocity, self.eta);
+        }
         if rotation != 0.0 {
             return None;
         }

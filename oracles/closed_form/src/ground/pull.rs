@@ -38,7 +38,8 @@ impl Ground {
         match motion {
             Motion::Sinusoids(stretches) => Ok(Self::Sinusoids(stretches.clone())),
             Motion::Record(record) => {
-                let mut strongest: Vec<f64> = record.samples.iter().map(|sample| (sample * record.scale).abs()).collect();
+                let mut strongest: Vec<f64> =
+                    record.samples.iter().map(|sample| (sample * record.scale).abs()).collect();
                 let mut most: f64 = 0.0;
                 for size in strongest.iter_mut().rev() {
                     most = most.max(*size);
@@ -66,9 +67,7 @@ impl Ground {
                 let size = |stretch: &Stretch| stretch.terms.iter().map(|term| term.amplitude.abs()).sum();
                 left.map(size).fold(0.0, f64::max)
             }
-            Self::Record(record, strongest) => {
-                strongest.get((time / record.dt) as usize).copied().unwrap_or(0.0)
-            }
+            Self::Record(record, strongest) => strongest.get((time / record.dt) as usize).copied().unwrap_or(0.0),
         }
     }
 }
@@ -125,7 +124,8 @@ fn of_record(record: &Record, side: f64, time: f64, horizon: f64) -> Vec<Change>
     let Record { dt, scale, samples } = record;
     let last = samples.len().saturating_sub(1);
     let sample = |k: usize| samples.get(k).map_or(0.0, |sample| sample * scale);
-    let straight = |at: f64, level: f64, slope: f64| Change { at, level, slope, waves: Vec::new(), curvature: 0.0, rate: 1.0 };
+    let straight =
+        |at: f64, level: f64, slope: f64| Change { at, level, slope, waves: Vec::new(), curvature: 0.0, rate: 1.0 };
     // The piece that `time` is in: the last one that does not start after it.
     let mut k = (time / dt) as usize;
     while k as f64 * dt > time && k > 0 {

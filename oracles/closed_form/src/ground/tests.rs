@@ -13,7 +13,8 @@ fn bout(motion: &Motion, eta: f64, start: f64, side: f64, accuracy: f64) -> (Vec
                 // A compensated sum.
                 let time = departure.time + (interval + low);
                 low = (interval + low) - (time - departure.time);
-                departure = Departure { time, side: -departure.side, velocity: eta * speed, rotation: 0.0, ..departure };
+                departure =
+                    Departure { time, side: -departure.side, velocity: eta * speed, rotation: 0.0, ..departure };
             }
             other => panic!("{other:?} after {impacts:?}"),
         }
@@ -32,7 +33,11 @@ fn a_sine_pulse_is_followed_into_rest_and_out_of_it() {
     let motion = Motion::one_sine(1.02, 2.0).unwrap();
     let start = (1.0_f64 / 1.02).asin() / 2.0;
     let (impacts, rest, uncertainty) = bout(&motion, 0.6, start, -1.0, 1e-14);
-    assert!((rest - 1.158_296_102_357_345_982_79).abs() < 1e-14 + uncertainty, "{rest} {uncertainty:e} {}", impacts.len());
+    assert!(
+        (rest - 1.158_296_102_357_345_982_79).abs() < 1e-14 + uncertainty,
+        "{rest} {uncertainty:e} {}",
+        impacts.len()
+    );
     let again = start + std::f64::consts::FRAC_PI_2;
     assert!((again - 2.257_017_229_112_942_522_56).abs() < 1e-15);
     let (_, rest, _) = bout(&motion, 0.6, again, 1.0, 1e-14);

@@ -1,0 +1,98 @@
+//! Files that no format claims: header lines, if any, and numbers in rows or columns.
+//!
+//! A header may count the samples and give the step: the line with `NPTS` and `DT` of a PEER file, a line that is only `4684 0.0100` (as eqsig and many
+//! teaching examples write), or prose such as `1559 points at equal spacing of 0.02 sec`.
+
+use super::{
+    Asked, Found, RecordError, at2,
+    error::shown,
+    header::{self, Counted},
+    one_series, refuse, rows, table,
+    text::{Numbered, Text, contains},
+    units,
+};
+
+/// Reads a file.
+pub fn read(text: &Text<'_>, asked: &Asked) -> Result<Found, RecordError> {
+    let first = table::first_line(text, asked.column).ok_or_else(|| nothing(text))?;
+    let head = text.before(first);
+    refuse::other_than_acceleration(&head)?;
+    if let Some((line, _)) = head.iter().find(|(_, line)| header::is_npts_dt(line)) {
+        return one_series(at2::read(text, *line)?, asked.column);
+    }
+    let numbered = counted(text, first);
+    if numbered.is_none() && table::is(text, first, asked.column) {
+        return table::read(text, first, asked);
+    }
+    let prose = || head.iter().find_map(|(number, line)| header::equal_spacing(*number, line));
+    let counted = numbered.or_else(|| header::labelled(&head)).or_else(prose);
+    let start = numbered.and_then(|counted| rows::first(text, counted.line + 1)).unwrap_or(first);
+    almost_a_number(text, first)?;
+    one_series(series(text, &head, start, counted)?, asked.column)
+}
+
+/// Reads numbers in rows, after a header.
+fn series(
+    text: &Text<'_>,
+    head: &[Numbered<'_>],
+    start: usize,
+    counted: Option<Counted>,
+) -> Result<Found, RecordError> {
+    let (mut samples, last) = rows::numbers(text, start)?;
+    let mut dt = counted.map(|counted| (counted.dt, counted.line));
+    if let Some(counted) = counted {
+        counted.check(samples.len(), last)?;
+    } else if let Some(count) = lone_count(text, start) {
+        // The count, or the count and the step, each in a line of its own.
+        let step = samples.get(1).copied().filter(|step| *step > 0.0 && samples.len() == count + 2);
+        dt = step.map(|step| (step, start + 1));
+        samples.drain(..1 + usize::from(step.is_some()));
+        Counted { count, dt: 0.0, line: start }.check(samples.len(), last)?;
+    }
+    Ok(Found { format: "numbers in rows", dt, units: units::of_header(head)?, samples, ..Found::default() })
+}
+
+/// The number of samples, if the first line of numbers is only that: whole and above 1, before numbers that have a point.
+fn lone_count(text: &Text<'_>, first: usize) -> Option<usize> {
+    let line = text.line(first).trim_ascii();
+    let is_alone = line.iter().all(u8::is_ascii_digit) && text.line(rows::first(text, first + 1)?).contains(&b'.');
+    std::str::from_utf8(line).ok()?.parse().ok().filter(|count| is_alone && *count > 1)
+}
+
+/// The count and the step, if the first line of numbers is only that: whole, above 1, and followed by lines of another kind or by as many numbers.
+fn counted(text: &Text<'_>, first: usize) -> Option<Counted> {
+    let counted = header::count_and_step(first, text.line(first))?;
+    let fields = |line: usize| rows::fields(text.line(line)).count();
+    let next = rows::first(text, first + 1)?;
+    let as_many = || rows::numbers(text, next).is_ok_and(|(numbers, _)| numbers.len() == counted.count);
+    (fields(next) != 2 || as_many()).then_some(counted)
+}
+
+/// Refuses a last header line that is a number with a slip in it: a sample that would be lost.
+fn almost_a_number(text: &Text<'_>, first: usize) -> Result<(), RecordError> {
+    let Some((line, content)) = text.from(1).take(first - 1).filter(|(_, line)| !line.is_empty()).last() else {
+        return Ok(());
+    };
+    let is_slip = |field: &[u8]| {
+        let field = field.strip_prefix(b"-").or(field.strip_prefix(b"+")).unwrap_or(field);
+        let digits = field.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        field.get(digits) == Some(&b'.') && field.get(digits + 1).is_some_and(u8::is_ascii_digit)
+    };
+    let as_many = rows::fields(content).count() == rows::fields(text.line(first)).count();
+    match rows::fields(content).next().filter(|field| as_many && is_slip(field)) {
+        Some(_) => Err(RecordError::at(line, format!("`{}`; expected are a title or numbers", shown(content)))),
+        None => Ok(()),
+    }
+}
+
+/// There are no numbers.
+fn nothing(text: &Text<'_>) -> RecordError {
+    let counted = text.from(1).find(|(_, line)| header::is_npts_dt(line));
+    let prose = text.from(1).find(|(_, line)| !line.is_empty());
+    let (line, content) = counted.or(prose).unwrap_or((1, b""));
+    let title = if contains(content, "html") { ", a web page" } else { "" };
+    RecordError::at(
+        line,
+        format!("`{}`{title}, and no line of numbers follows; expected are the samples", shown(content)),
+    )
+}

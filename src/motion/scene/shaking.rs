@@ -1,0 +1,310 @@
+//! A ground motion that is no sinusoid: a pulse by its name, a sum of sinusoids, or a record, in multiples of the threshold and in `τ`.
+
+use std::{ops::Range, path::Path, sync::Arc};
+
+use contract::{Invalid, Model, Motion, Ricker, Sinusoid, Stretch};
+use toml::Spanned;
+
+use super::{
+    Block, SceneError, Sine, Text,
+    file::{Amplitude, Duration, Frequency, GroundFields, PulseName, RecordFields, SineFields, Time},
+};
+use crate::motion::record::{self, Asked, Recorded, Step, Units};
+
+/// A motion of the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shaking {
+    /// What it is, for people: the name of the pulse, `a sum of sinusoids`, `a record`.
+    pub name: &'static str,
+    /// The motion, in multiples of the acceleration at which the block begins to rock, over `τ`.
+    pub motion: Arc<Motion>,
+    /// By how much it may be off by rounding, relative.
+    pub rounding: f64,
+    /// What a reader of its file should know.
+    pub notes: Vec<String>,
+}
+
+/// What the division by the threshold leaves of rounding.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
+
+/// What is known when the ground is read.
+pub(super) struct Reader<'a> {
+    pub block: &'a Block,
+    pub model: Model,
+    pub text: &'a Text<'a>,
+    /// Where the scene is.
+    pub folder: &'a Path,
+}
+
+impl Reader<'_> {
+    /// The motion of a `[ground]` that is no sinusoid; `None` of one that is.
+    ///
+    /// # Errors
+    /// When a field is missing, not used, or not allowed.
+    pub fn shaking(&self, fields: &GroundFields) -> Result<Option<Shaking>, SceneError> {
+        let GroundFields { pulse, sinusoids, record, .. } = fields;
+        match (pulse, sinusoids, record) {
+            (None, None, None) => Ok(None),
+            (Some(pulse), None, None) => self.pulse(pulse, fields).map(Some),
+            (None, Some(sinusoids), None) => self.sum(sinusoids, fields).map(Some),
+            (None, None, Some(record)) => self.record(record, fields).map(Some),
+            _ => Err(SceneError("[ground] is one of pulse, sinusoids or record, not more than one".to_owned())),
+        }
+    }
+
+    /// A sinusoid as a motion that starts and may end: under a block that does not start from rest.
+    pub fn from_sine(&self, sine: &Sine, fields: &GroundFields) -> Result<Shaking, SceneError> {
+        let span = fields.amplitude.as_ref().map_or(0..0, Spanned::span);
+        let amplitude = fields.amplitude.as_ref().map_or(Ok((0.0, 0.0)), |amplitude| self.amplitude(amplitude))?;
+        let (amplitude, rounding) = amplitude;
+        let omega = self.block.omega(sine.frequency);
+        let phase = match sine.phase {
+            Some(phase) => phase,
+            // The threshold, growing; one that stays below it starts at its peak.
+            None if amplitude > 1.0 => (1.0 / amplitude).asin(),
+            None => std::f64::consts::FRAC_PI_2,
+        };
+        let until = sine.duration.map_or(f64::INFINITY, |seconds| seconds * self.block.frequency_parameter());
+        let terms = if amplitude > 0.0 { vec![Sinusoid { amplitude, omega, phase }] } else { Vec::new() };
+        let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
+        let motion = motion.map_err(|invalid| self.text.error(&span, invalid))?;
+        Ok(Shaking {
+            name: "a sinusoid under a block that is in motion",
+            motion: Arc::new(motion),
+            rounding,
+            notes: Vec::new(),
+        })
+    }
+
+    fn pulse(&self, pulse: &Spanned<PulseName>, fields: &GroundFields) -> Result<Shaking, SceneError> {
+        let name = *pulse.get_ref();
+        let is_ricker = matches!(name, PulseName::Ricker | PulseName::RickerAntisymmetric);
+        let is_mp = name == PulseName::MavroeidisPapageorgiou;
+        let by = name.name();
+        refuse_unused(
+            self.text,
+            by,
+            [
+                ("center", fields.center.as_ref().map(Spanned::span).filter(|_| !is_ricker)),
+                ("gamma", fields.gamma.as_ref().map(Spanned::span).filter(|_| !is_mp)),
+                ("phase", fields.phase.as_ref().map(Spanned::span).filter(|_| !is_mp)),
+                ("duration", fields.duration.as_ref().map(Spanned::span)),
+            ],
+        )?;
+        let needed = |field: &str| SceneError(format!("[ground] with pulse = \"{by}\" needs {field}"));
+        let amplitude = fields.amplitude.as_ref().ok_or_else(|| needed("amplitude"))?;
+        let (amplitude, rounding) = self.amplitude(amplitude)?;
+        let omega = self.omega(fields.frequency.as_ref().ok_or_else(|| needed("frequency"))?)?;
+        let number = |field: &'static str, value: &Option<Spanned<f64>>| match value {
+            Some(value) => self.text.number(field, value, |value| value.abs() <= 1e3, "-1000 to 1000"),
+            None => Err(needed(field)),
+        };
+        let motion = match name {
+            PulseName::OneSine => Motion::one_sine(amplitude, omega),
+            PulseName::OneCosine => Motion::one_cosine(amplitude, omega),
+            PulseName::Ricker | PulseName::RickerAntisymmetric => {
+                let center = self.time("center", fields.center.as_ref().ok_or_else(|| needed("center"))?)?;
+                let antisymmetric = name == PulseName::RickerAntisymmetric;
+                Motion::ricker(Ricker { amplitude, omega, center, antisymmetric })
+            }
+            PulseName::MavroeidisPapageorgiou => {
+                let gamma = number("gamma", &fields.gamma)?;
+                let nu = fields.phase.as_ref().map_or(Ok(0.0), |_| number("phase", &fields.phase))?;
+                Motion::mavroeidis_papageorgiou(amplitude, omega, gamma, nu)
+            }
+        };
+        let motion = motion.map_err(|invalid| self.text.error(&pulse.span(), invalid))?;
+        Ok(Shaking { name: by, motion: Arc::new(motion), rounding, notes: Vec::new() })
+    }
+
+    fn sum(&self, sinusoids: &Spanned<Vec<SineFields>>, fields: &GroundFields) -> Result<Shaking, SceneError> {
+        const BY: &str = "a sum of sinusoids";
+        refuse_unused(
+            self.text,
+            BY,
+            [
+                ("amplitude", fields.amplitude.as_ref().map(Spanned::span)),
+                ("frequency", fields.frequency.as_ref().map(Spanned::span)),
+                ("phase", fields.phase.as_ref().map(Spanned::span)),
+                ("center", fields.center.as_ref().map(Spanned::span)),
+                ("gamma", fields.gamma.as_ref().map(Spanned::span)),
+            ],
+        )?;
+        let mut rounding: f64 = 0.0;
+        let mut terms = Vec::new();
+        for SineFields { amplitude, frequency, phase } in sinusoids.get_ref() {
+            let (amplitude, off) = self.amplitude(amplitude)?;
+            let phase = phase.as_ref().map_or(Ok(0.0), |phase| {
+                self.text.number("phase", phase, |phase| phase.abs() <= 1e3, "-1000 to 1000 (radians)")
+            })?;
+            terms.push(Sinusoid { amplitude, omega: self.omega(frequency)?, phase });
+            rounding = rounding.max(off);
+        }
+        if terms.is_empty() {
+            return Err(self.text.error(&sinusoids.span(), "sinusoids: allowed is 1 to 300 of them"));
+        }
+        let until = match &fields.duration {
+            None => f64::INFINITY,
+            Some(duration) => {
+                let p = self.block.frequency_parameter();
+                let (tau, typed) = match *duration.get_ref() {
+                    Duration::Seconds(seconds) => (seconds * p, seconds),
+                    Duration::Tau(tau) => (tau, tau),
+                    Duration::Cycles(_) => {
+                        let said = "duration: of several sinusoids it is { seconds = number } or { tau = number }";
+                        return Err(self.text.error(&duration.span(), said));
+                    }
+                };
+                self.text.check(
+                    "duration",
+                    typed,
+                    &duration.span(),
+                    |_| tau > 0.0 && tau <= 1e9,
+                    "above 0, up to 1e9 (in τ)",
+                )?;
+                tau
+            }
+        };
+        let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
+        let motion = motion.map_err(|invalid| self.text.error(&sinusoids.span(), invalid))?;
+        Ok(Shaking { name: BY, motion: Arc::new(motion), rounding, notes: Vec::new() })
+    }
+
+    fn record(&self, record: &RecordFields, fields: &GroundFields) -> Result<Shaking, SceneError> {
+        refuse_unused(
+            self.text,
+            "a record",
+            [
+                ("amplitude", fields.amplitude.as_ref().map(Spanned::span)),
+                ("frequency", fields.frequency.as_ref().map(Spanned::span)),
+                ("phase", fields.phase.as_ref().map(Spanned::span)),
+                ("center", fields.center.as_ref().map(Spanned::span)),
+                ("gamma", fields.gamma.as_ref().map(Spanned::span)),
+                ("duration", fields.duration.as_ref().map(Spanned::span)),
+            ],
+        )?;
+        let p = self.block.frequency_parameter();
+        let number = |field, value: &Option<Spanned<f64>>, least: f64, allowed| {
+            value.as_ref().map_or(Ok(1.0), |value| {
+                self.text.number(field, value, |value| value.abs() <= 1e6 && value >= least, allowed)
+            })
+        };
+        let scale = number("scale", &record.scale, -1e6, "-1e6 to 1e6")?;
+        let time_scale = number("time_scale", &record.time_scale, 1e-6, "1e-6 to 1e6")?;
+        let units = record.units.as_ref().map(|units| self.units(units)).transpose()?;
+        let column = record.column.as_ref().map(|column| self.column(column)).transpose()?;
+        let (step, in_tau) = match &record.dt {
+            None => (Step::OfFile, None),
+            Some(dt) => {
+                let (Time::Seconds(value) | Time::Tau(value)) = *dt.get_ref();
+                self.text.check("dt", value, &dt.span(), |value| value > 0.0 && value <= 1e9, "above 0, up to 1e9")?;
+                match *dt.get_ref() {
+                    Time::Seconds(seconds) => (Step::Seconds(seconds), None),
+                    Time::Tau(tau) => (Step::Elsewhere, Some(tau)),
+                }
+            }
+        };
+        let path = self.folder.join(record.file.get_ref());
+        let at_file = |said: String| self.text.error(&record.file.span(), said);
+        let read = record::read_file(&path, &Asked { units, step, column });
+        let Recorded { dt, units, samples, notes, .. } = read.map_err(|error| at_file(error.to_string()))?;
+        let unit = match units {
+            Units::G => self.block.gravity / self.threshold(),
+            Units::MetresPerSecondSquared => 1.0 / self.threshold(),
+            Units::CentimetresPerSecondSquared => 0.01 / self.threshold(),
+            Units::Threshold => 1.0,
+        };
+        let dt = in_tau.or(dt.map(|seconds| seconds * p)).map(|dt| dt * time_scale);
+        let dt =
+            dt.ok_or_else(|| at_file("dt: the file does not say it: { seconds = .. } or { tau = .. }".to_owned()))?;
+        let motion = Motion::record(dt, scale * unit, samples).map_err(|invalid| at_file(invalid.to_string()))?;
+        let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
+        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, notes })
+    }
+
+    /// The acceleration at which the block begins to rock, m/s².
+    fn threshold(&self) -> f64 {
+        self.block.gravity * self.block.slenderness.tan()
+    }
+
+    /// In multiples of the threshold, and by how much that may be off, relative.
+    pub(super) fn amplitude(&self, amplitude: &Spanned<Amplitude>) -> Result<(f64, f64), SceneError> {
+        let (Amplitude::G(value)
+        | Amplitude::MPerS2(value)
+        | Amplitude::OverThreshold(value)
+        | Amplitude::OverSlenderThreshold(value)) = *amplitude.get_ref();
+        self.text.check("amplitude", value, &amplitude.span(), |value| (0.0..=1e6).contains(&value), "0 to 1e6")?;
+        Ok(match *amplitude.get_ref() {
+            Amplitude::G(value) => (value * self.block.gravity / self.threshold(), ROUNDING),
+            Amplitude::MPerS2(value) => (value / self.threshold(), ROUNDING),
+            Amplitude::OverThreshold(a) => (a, 0.0),
+            // The linear model has its own threshold, `g α`.
+            Amplitude::OverSlenderThreshold(a) if self.model == Model::Linear => (a, 0.0),
+            Amplitude::OverSlenderThreshold(a) => (a * self.block.slenderness / self.block.slenderness.tan(), ROUNDING),
+        })
+    }
+
+    pub(super) fn omega(&self, frequency: &Spanned<Frequency>) -> Result<f64, SceneError> {
+        let (Frequency::Hz(value) | Frequency::Omega(value)) = *frequency.get_ref();
+        let positive = |value: f64| (1e-9..=1e9).contains(&value);
+        self.text.check("frequency", value, &frequency.span(), positive, "1e-9 to 1e9")?;
+        Ok(match *frequency.get_ref() {
+            Frequency::Omega(omega) => omega,
+            Frequency::Hz(hertz) => std::f64::consts::TAU * hertz / self.block.frequency_parameter(),
+        })
+    }
+
+    fn time(&self, field: &'static str, time: &Spanned<Time>) -> Result<f64, SceneError> {
+        let (Time::Seconds(value) | Time::Tau(value)) = *time.get_ref();
+        self.text.check(field, value, &time.span(), |value| value > 0.0 && value <= 1e9, "above 0, up to 1e9")?;
+        Ok(match *time.get_ref() {
+            Time::Seconds(seconds) => seconds * self.block.frequency_parameter(),
+            Time::Tau(tau) => tau,
+        })
+    }
+
+    fn units(&self, units: &Spanned<String>) -> Result<Units, SceneError> {
+        match units.get_ref().as_str() {
+            "g" => Ok(Units::G),
+            "m/s2" => Ok(Units::MetresPerSecondSquared),
+            "cm/s2" => Ok(Units::CentimetresPerSecondSquared),
+            "threshold" => Ok(Units::Threshold),
+            other => {
+                let shown: String = other.chars().filter(|c| !c.is_control()).take(40).collect();
+                let allowed = "\"g\", \"m/s2\", \"cm/s2\" or \"threshold\"";
+                Err(self.text.error(&units.span(), Invalid::new("units", format!("{shown:?}"), allowed)))
+            }
+        }
+    }
+
+    fn column(&self, column: &Spanned<i64>) -> Result<usize, SceneError> {
+        let number = usize::try_from(*column.get_ref()).ok().filter(|number| (1..=1000).contains(number));
+        number.ok_or_else(|| {
+            self.text.error(&column.span(), Invalid::new("column", column.get_ref(), "1 to 1000, the first being 1"))
+        })
+    }
+}
+
+impl PulseName {
+    fn name(self) -> &'static str {
+        match self {
+            Self::OneSine => "one-sine",
+            Self::OneCosine => "one-cosine",
+            Self::Ricker => "ricker",
+            Self::RickerAntisymmetric => "ricker-antisymmetric",
+            Self::MavroeidisPapageorgiou => "mavroeidis-papageorgiou",
+        }
+    }
+}
+
+/// Refuses the first field that is given where it is not used.
+pub(super) fn refuse_unused<const N: usize>(
+    text: &Text<'_>,
+    by: &str,
+    fields: [(&str, Option<Range<usize>>); N],
+) -> Result<(), SceneError> {
+    match fields.into_iter().find_map(|(field, span)| Some((field, span?))) {
+        Some((field, span)) => Err(text.error(&span, format!("{field} is not used by {by}"))),
+        None => Ok(()),
+    }
+}
