@@ -3,14 +3,14 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        response::{Bout, BoutEnd, Request, Response, Termination, Window},
-        scene::Scene,
+        response::{Bout, BoutEnd, OnMotion, Peak, Request, Response, Sample, State, Termination, Window},
+        scene::{self, Scene},
     },
     panel,
     studies::chattering_threshold::{Condition, chattering_threshold},
 };
 use clap::{Args, ValueEnum, builder::PossibleValue};
-use contract::{Case, Invalid, Model};
+use contract::{Case, Decline, Invalid, Model, Oracle};
 use serde::Serialize;
 
 use super::{
@@ -23,7 +23,7 @@ use super::{
 
 /// The whole response of a scene: rest, rocking, chattering into rest, rocking again, free rocking, overturning
 ///
-/// CSV columns tau, phi, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion; phi is theta/alpha; ground_acceleration is in
+/// CSV columns tau, t, phi, theta, phi_velocity, ground_acceleration, state. tau is p t since the start of the motion, t in seconds; phi is theta/alpha, theta in degrees; ground_acceleration is in
 /// multiples of the acceleration at which the block begins to rock (g tan alpha; g alpha for the linear model if the scene's amplitude is over that); state is rest, rocking, overturned (no return is possible any more) or lying. Time never decreases; at an impact, and where the ground stops, there are two
 /// rows of the same time, just before and just after it. A flight has 9 rows at least; most of those that are shorter than a quarter of a step are left out, and more --steps, or a part by
 /// --from and --to, show them. A block that overturns is followed until its side lies on the ground, by either model: theta is 90 degrees, phi is pi/(2 alpha). There the response ends, with a row lying. The JSON document lists what happens instead: when the block rocks, how often it hits its base, and when it rests.
@@ -57,6 +57,9 @@ pub(super) struct Arguments {
     /// Into how many steps the printed part is divided [default: 1000]
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count::<1, MOST_STEPS>)]
     steps: Option<usize>,
+    /// List the first N impacts of each time of rocking in the JSON document
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = count::<1, MOST_STEPS>)]
+    impacts: Option<usize>,
     /// Output format: the history as CSV, or what happens as JSON
     #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
     format: TableFormat,
@@ -82,13 +85,37 @@ enum Fit {
 struct Document<'a> {
     title: &'a str,
     model: &'static str,
+    /// Of a sinusoid under a block at rest.
     #[serde(flatten)]
-    case: CaseFacts,
+    case: Option<CaseFacts>,
+    /// Of another motion.
+    #[serde(flatten)]
+    motion: Option<MotionFacts>,
     /// `p`, 1/s: a time over it is in seconds.
     frequency_parameter: f64,
+    /// The largest rotation; `null` if the block never rocks.
+    peak: Option<PeakRow>,
     bouts: Vec<BoutRow>,
     rests: Vec<RestRow>,
     end: f64,
+}
+
+#[derive(Serialize)]
+struct MotionFacts {
+    ground: &'static str,
+    eta: f64,
+    alpha: Option<f64>,
+    /// When the ground comes to rest; `null` if it does not.
+    duration: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct PeakRow {
+    tau: f64,
+    /// `θ/α`, with its sign: at 1 the block stands on its corner.
+    phi: f64,
+    /// In degrees.
+    theta: f64,
 }
 
 #[derive(Serialize)]
@@ -100,6 +127,12 @@ struct BoutRow {
     ending: &'static str,
     /// What is expected to be wrong with `to`; `null` where nothing is known of it, which the ending `unsure` says too.
     uncertainty: Option<f64>,
+    /// The first impacts, as many as are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impact_times: Option<Vec<f64>>,
+    /// `φ'` just after each of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impact_velocities: Option<Vec<f64>>,
 }
 
 #[derive(Serialize)]
@@ -108,35 +141,124 @@ struct RestRow {
     to: f64,
 }
 
+/// A row of the history: of the response, with seconds and degrees.
+#[derive(Serialize)]
+struct Row {
+    tau: f64,
+    t: f64,
+    phi: f64,
+    theta: f64,
+    phi_velocity: f64,
+    ground_acceleration: f64,
+    state: State,
+}
+
+/// What is asked of the response.
+enum Asked {
+    Sinusoid(Request),
+    Motion(OnMotion),
+}
+
+impl Asked {
+    fn response(&self, oracle: &dyn Oracle) -> Result<Response, Decline> {
+        match self {
+            Self::Sinusoid(request) => Response::new(oracle, request),
+            Self::Motion(request) => Response::on_motion(oracle, request),
+        }
+    }
+
+    fn samples(&self, response: &Response, oracle: &dyn Oracle, window: &Window) -> Result<Vec<Sample>, Decline> {
+        match self {
+            Self::Sinusoid(request) => response.samples(oracle, request, window),
+            Self::Motion(request) => response.samples_on_motion(oracle, request, window),
+        }
+    }
+
+    fn peak(&self, response: &Response, oracle: &dyn Oracle) -> Result<Option<Peak>, Decline> {
+        match self {
+            Self::Sinusoid(request) => response.peak(oracle, request),
+            Self::Motion(request) => response.peak_on_motion(oracle, request),
+        }
+    }
+
+    fn eta(&self) -> f64 {
+        match self {
+            Self::Sinusoid(request) => request.case.eta(),
+            Self::Motion(request) => request.body.eta(),
+        }
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let mut scene = read_scene(&arguments.scene)?;
     if let Some(name) = &arguments.model {
         scene.ask.model = panel::model_named(name)?;
     }
     arguments.check()?;
-    let request = scene.response(arguments.until, Termination::Exact)?;
-    let request = Request { termination: arguments.termination(&request.case)?.check()?, ..request };
     let oracle = panel::stepper_of(scene.ask.model);
-    let (name, model) = (oracle.name(), if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" });
-    let response = Response::new(oracle.as_ref(), &request).map_err(|decline| anyhow!("{name} declines: {decline}"))?;
+    let oracle = oracle.as_ref();
+    let asked = arguments.asked(&scene)?;
+    let declined = |decline: Decline| anyhow!("{} declines: {decline}", oracle.name());
+    let response = asked.response(oracle).map_err(declined)?;
+    if let scene::Ground::Shaking(shaking) = &scene.ground {
+        shaking.notes.iter().for_each(|said| note(format_args!("{said}")));
+    }
+    let peak = asked.peak(&response, oracle).map_err(declined)?;
     match arguments.format {
         TableFormat::Json | TableFormat::JsonLine => {
-            let document = document(&scene, model, &request, &response);
+            let document = document(&scene, &asked, &response, peak, arguments.impacts);
             print(&json(&document, matches!(arguments.format, TableFormat::JsonLine))?)?;
         }
         TableFormat::Csv => {
             let window = arguments.window(response.end)?;
-            let samples =
-                response.samples(oracle.as_ref(), &request, &window).map_err(|decline| anyhow!("{decline}"))?;
-            print_csv(&samples)?;
+            let samples = asked.samples(&response, oracle, &window).map_err(declined)?;
+            let (p, degrees) = (scene.block.frequency_parameter(), scene.block.slenderness.to_degrees());
+            print_csv(&samples.into_iter().map(|sample| Row::of(sample, p, degrees)).collect::<Vec<_>>())?;
         }
     }
-    note(format_args!("{name}: {}", summary(&response)));
+    note(format_args!("{}: {}", oracle.name(), summary(&response)));
+    if let Some(Peak { time, rotation }) = peak {
+        let (degrees, seconds) = (scene.block.slenderness.to_degrees(), time / scene.block.frequency_parameter());
+        note(format_args!(
+            "largest rotation {:.4} degrees, {:.4} of alpha, at {seconds:.4} s",
+            rotation * degrees,
+            rotation.abs()
+        ));
+    }
     let lost = response.bouts.iter().any(|bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts));
     Ok(if lost { Status::Disagreed } else { Status::Well })
 }
 
+impl Row {
+    fn of(sample: Sample, p: f64, degrees: f64) -> Self {
+        let Sample { tau, phi, phi_velocity, ground_acceleration, state } = sample;
+        Self { tau, t: tau / p, phi, theta: phi * degrees, phi_velocity, ground_acceleration, state }
+    }
+}
+
 impl Arguments {
+    fn asked(&self, scene: &Scene) -> anyhow::Result<Asked> {
+        if let scene::Ground::Shaking(shaking) = &scene.ground {
+            if self.termination == Scheme::Chattering {
+                let allowed = "of a sinusoid under a block at rest only";
+                return Err(anyhow!(Invalid::new("termination", "chattering", allowed)).context(shaking.name));
+            }
+            // Of the other schemes none looks at the case.
+            let termination = self.velocity_or_exact()?;
+            if let Some(request) = scene.on_motion(self.until, termination)? {
+                return Ok(Asked::Motion(request));
+            }
+        }
+        let request = scene.response(self.until, Termination::Exact)?;
+        let termination = self.termination(&request.case)?.check()?;
+        Ok(Asked::Sinusoid(Request { termination, ..request }))
+    }
+
+    fn velocity_or_exact(&self) -> anyhow::Result<Termination> {
+        let nowhere = Case::from_amplitude(1.0, 1.0, 0.5)?;
+        self.termination(&nowhere)
+    }
+
     fn termination(&self, case: &Case) -> anyhow::Result<Termination> {
         ensure!(
             self.velocity_threshold.is_none() || self.termination == Scheme::Velocity,
@@ -174,6 +296,9 @@ impl Arguments {
             ("steps", self.steps.map(|steps| steps.to_string())),
         ];
         let unused = given.into_iter().find_map(|(field, value)| Some((field, value?)));
+        if let (TableFormat::Csv, Some(impacts)) = (self.format, self.impacts) {
+            return Err(Invalid::new("impacts", impacts, "only with --format json"));
+        }
         match (self.format, unused) {
             (TableFormat::Json | TableFormat::JsonLine, Some((field, value))) => {
                 Err(Invalid::new(field, value, "only with --format csv"))
@@ -198,21 +323,49 @@ impl Arguments {
     }
 }
 
-fn document<'a>(scene: &'a Scene, model: &'static str, request: &Request, response: &Response) -> Document<'a> {
+fn document<'a>(
+    scene: &'a Scene,
+    asked: &Asked,
+    response: &Response,
+    peak: Option<Peak>,
+    impacts: Option<usize>,
+) -> Document<'a> {
+    let (case, motion) = match asked {
+        Asked::Sinusoid(request) => (Some(CaseFacts::of(&request.case)), None),
+        Asked::Motion(request) => {
+            let ground = if let scene::Ground::Shaking(shaking) = &scene.ground { shaking.name } else { "" };
+            let duration = Some(request.motion.duration()).filter(|duration| duration.is_finite());
+            let (eta, alpha) = (request.body.eta(), request.body.alpha());
+            (None, Some(MotionFacts { ground, eta, alpha, duration }))
+        }
+    };
+    let degrees = scene.block.slenderness.to_degrees();
+    let peak = peak.map(|Peak { time, rotation }| PeakRow { tau: time, phi: rotation, theta: rotation * degrees });
     Document {
         title: &scene.title,
-        model,
-        case: CaseFacts::of(&request.case),
+        model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
+        case,
+        motion,
         frequency_parameter: scene.block.frequency_parameter(),
-        bouts: response.bouts.iter().map(row).collect(),
+        peak,
+        bouts: response.bouts.iter().map(|bout| row(bout, asked.eta(), impacts)).collect(),
         rests: response.rests().into_iter().map(|(from, to)| RestRow { from, to }).collect(),
         end: response.end,
     }
 }
 
-fn row(bout: &Bout) -> BoutRow {
+fn row(bout: &Bout, eta: f64, impacts: Option<usize>) -> BoutRow {
     let uncertainty = Some(bout.uncertainty()).filter(|uncertainty| uncertainty.is_finite());
-    BoutRow { from: bout.begin(), to: bout.end(), impacts: bout.impacts(), ending: bout.ending(), uncertainty }
+    let listed = impacts.map(|most| bout.impact_list(eta).take(most).collect::<Vec<_>>());
+    BoutRow {
+        from: bout.begin(),
+        to: bout.end(),
+        impacts: bout.impacts(),
+        ending: bout.ending(),
+        uncertainty,
+        impact_times: listed.as_ref().map(|listed| listed.iter().map(|(time, ..)| *time).collect()),
+        impact_velocities: listed.map(|listed| listed.iter().map(|(.., velocity)| *velocity).collect()),
+    }
 }
 
 fn summary(response: &Response) -> String {

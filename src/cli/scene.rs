@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         case: CaseFacts::of(&case),
         model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
         frequency_parameter: scene.block.frequency_parameter(),
-        ground_acceleration: scene.acceleration(),
+        ground_acceleration: scene.block.acceleration(scene.sine()?.amplitude),
         over_threshold: scene.question()?.case.amplitude(),
         rocks: answers.initiation.is_some(),
         a_cr: critical::interpolated(case.omega(), case.eta()).ok().map(|epsilon| 1.0 + epsilon),

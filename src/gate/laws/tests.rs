@@ -35,9 +35,14 @@ fn the_laws_of_form_hold_up_to_their_borders_and_no_further() -> Result<(), cont
     assert_eq!(broken(|h| h.impacts.clear())?, Some((Law::Form, 0)));
     assert_eq!(broken(|h| h.ending = Ending::NeverRocks)?, Some((Law::Form, 0)));
     let none = |ending: Ending| broken(move |h| (h.ending, h.impacts) = (ending, Vec::new()));
-    for ending in [Ending::NeverRocks, Ending::Incomplete, Ending::Overturned, Ending::LimitReached(Limit::Time)] {
+    for ending in [Ending::NeverRocks, Ending::Incomplete, Ending::Overturned] {
         assert_eq!(none(ending)?, None);
     }
+    // Limits that the case does not have, or has not reached: it is followed for half a period, and 4 impacts are asked for.
+    for limit in [Limit::Time, Limit::Impacts] {
+        assert_eq!(none(Ending::LimitReached(limit))?, Some((Law::Form, 0)));
+    }
+    assert_eq!(broken(|h| h.ending = Ending::LimitReached(Limit::Impacts))?, None);
     for (change, broken_by) in
         [(0.0, false), (1e-300, false), (f64::INFINITY, false), (-1e-300, true), (f64::NAN, true)]
     {

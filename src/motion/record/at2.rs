@@ -15,8 +15,8 @@ use super::{
 /// Reads a file whose line with `NPTS` and `DT` is known.
 pub fn read(text: &Text<'_>, line: usize) -> Result<Found, RecordError> {
     let counted: Counted = npts_dt(line, text.line(line))?;
-    let (samples, last) = rows::numbers(text, rows::first(text, line + 1).unwrap_or(line + 1))?;
-    counted.check(samples.len(), last)?;
+    let block = rows::numbers(text, rows::first(text, line + 1).unwrap_or(line + 1))?;
+    counted.check(block.numbers.len(), block.last)?;
     let units = units::of_header(&text.before(line + 1))?;
-    Ok(Found { format: "PEER AT2", dt: Some((counted.dt, line)), units, samples, ..Found::default() })
+    Ok(Found { format: "PEER AT2", dt: Some((counted.dt, line)), units, samples: block.numbers, ..Found::default() })
 }

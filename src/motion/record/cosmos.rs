@@ -77,7 +77,8 @@ impl<'t, 'a> Channel<'t, 'a> {
             ));
         }
         let level = if self.integers.first() == Some(&1.0) { "COSMOS V1" } else { "COSMOS V2" };
-        let notes = self.real(64).and_then(|peak| peak::differs(peak, self.reals_line, &samples)).into_iter().collect();
+        let notes =
+            self.real(64).and_then(|peak| peak::differs(peak, 1e-6, self.reals_line, &samples)).into_iter().collect();
         let dt = self.real(62).filter(|interval| *interval > 0.0).map(|interval| (interval / 1000.0, self.reals_line));
         Ok(Found { format: level, dt, units: Some((units, self.data)), samples, notes, has_offset: false })
     }

@@ -18,9 +18,27 @@ pub struct Counted {
     pub line: usize,
 }
 
+/// Where a label ends that is a word of its own, whatever the case.
+fn label(line: &[u8], label: &str) -> Option<usize> {
+    let start = place_of(line, label)?;
+    let is_letter = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_alphabetic);
+    let end = start + label.len();
+    let alone = !is_letter(start.checked_sub(1).and_then(|before| line.get(before))) && !is_letter(line.get(end));
+    alone.then_some(end)
+}
+
+/// The number that follows a label, as in `DT= .005 SEC`, and the rest.
+fn assigned(line: &[u8], end: usize) -> Option<(f64, &[u8])> {
+    let rest = line.get(end..)?;
+    let filling = rest.iter().take_while(|byte| byte.is_ascii_whitespace() || b"=:".contains(byte)).count();
+    let rest = rest.get(filling..)?;
+    let is_number = rest.first().is_some_and(|byte| byte.is_ascii_digit() || b"+-.".contains(byte));
+    text::first_number(rest).filter(|_| is_number)
+}
+
 /// Whether a line is the one of a PEER header with the number of points and the time step.
 pub fn is_npts_dt(line: &[u8]) -> bool {
-    place_of(line, "NPTS").is_some() && place_of(line, "DT").is_some()
+    label(line, "NPTS").is_some() && label(line, "DT").is_some()
 }
 
 /// Reads the line of a PEER header: `NPTS=  4000, DT= .00500 SEC`, or the older `4000 0.005 NPTS, DT`.
@@ -29,16 +47,17 @@ pub fn npts_dt(number: usize, line: &[u8]) -> Result<Counted, RecordError> {
         let message = format!("`{}`; expected is a line such as NPTS= 4000, DT= .00500 SEC", shown(line));
         RecordError::at(number, message)
     };
-    let (npts, dt) = (place_of(line, "NPTS").ok_or_else(wrong)?, place_of(line, "DT").ok_or_else(wrong)?);
-    let after = |place: usize| text::first_number(line.get(place..).unwrap_or_default());
-    let before = line.get(..npts.min(dt)).unwrap_or_default();
-    let (count, (step, unit)) = match text::first_number(before) {
-        Some((first, rest)) => {
-            let second = text::first_number(rest).ok_or_else(wrong)?;
+    let (npts, dt) = (label(line, "NPTS").ok_or_else(wrong)?, label(line, "DT").ok_or_else(wrong)?);
+    let (count, (step, unit)) = match (assigned(line, npts), assigned(line, dt)) {
+        (Some((count, _)), Some(step)) => (count, step),
+        (None, None) => {
             // In the order of their names.
-            if npts < dt { (first, (second.0, &b""[..])) } else { (second.0, (first, &b""[..])) }
+            let (first, rest) = text::first_number(line).ok_or_else(wrong)?;
+            let (second, _) = text::first_number(rest).ok_or_else(wrong)?;
+            let (count, step) = if npts < dt { (first, second) } else { (second, first) };
+            (count, (step, &b""[..]))
         }
-        None => (after(npts + 4).ok_or_else(wrong)?.0, after(dt + 2).ok_or_else(wrong)?),
+        _ => return Err(wrong()),
     };
     let unit = unit.trim_ascii_start();
     let unit = unit.get(..unit.iter().take_while(|byte| byte.is_ascii_alphabetic()).count()).unwrap_or_default();

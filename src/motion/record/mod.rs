@@ -5,12 +5,12 @@
 //!
 //! | format | how it is known | described in |
 //! | --- | --- | --- |
-//! | PEER AT2 | a line with `NPTS` and `DT` before the numbers | [`at2`] |
-//! | SMC (USGS) | a first line such as `2 CORRECTED ACCELEROGRAM` | [`smc`] |
-//! | COSMOS V1, V2 | `(Format v01.20 ..)` in the first line | [`cosmos`] |
-//! | CSMIP V2 (the older volume 2 of California) | `points of accel data equally spaced at` | [`csmip`] |
-//! | K-NET, KiK-net | `Scale Factor` among the 17 header lines | [`knet`] |
-//! | numbers in rows or columns, CSV | none of these | [`rows`], [`table`] |
+//! | PEER AT2 | a line with `NPTS` and `DT` before the numbers | `at2.rs` |
+//! | SMC (USGS) | a first line such as `2 CORRECTED ACCELEROGRAM` | `smc.rs` |
+//! | COSMOS V1, V2 | `(Format v01.20 ..)` in the first line | `cosmos.rs` |
+//! | CSMIP V2 (the older volume 2 of California) | `points of accel data equally spaced at` | `csmip.rs` |
+//! | K-NET, KiK-net | `Scale Factor` among the 17 header lines | `knet.rs` |
+//! | numbers in rows or columns, CSV | none of these | `rows.rs`, `table.rs` |
 
 mod at2;
 mod cosmos;
@@ -29,6 +29,7 @@ mod smc;
 mod table;
 mod text;
 mod time_column;
+mod titles;
 mod units;
 
 #[cfg(test)]

@@ -15,6 +15,16 @@ pub enum Field<'a> {
 
 /// Reads the number that a field begins with.
 pub fn field(text: &[u8]) -> Field<'_> {
+    // Most are printed as the standard library reads them.
+    let parsed = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
+    match parsed.filter(|value| value.is_finite()) {
+        Some(value) => Field::Number(value, &[]),
+        None => fortran(text),
+    }
+}
+
+/// Reads the number that a field begins with, in any form that Fortran has.
+fn fortran(text: &[u8]) -> Field<'_> {
     let Some(extent) = Extent::of(text) else {
         return if is_unusable(text) { Field::Unusable } else { Field::Other };
     };
@@ -40,11 +50,11 @@ pub fn value(text: &[u8]) -> Option<f64> {
     }
 }
 
-/// The place of the last printed digit, `0.01` for `1.25` and for `12.5E-1`.
-pub fn resolution(text: &[u8]) -> f64 {
-    let Some(extent) = Extent::of(text) else { return 0.0 };
-    let exponent = text.get(extent.exponent..extent.end).map_or(0, exponent_of);
-    10_f64.powi(exponent.saturating_sub(i32::try_from(extent.decimals).unwrap_or(i32::MAX)))
+/// How many digits are printed after the point, and the exponent if one is printed.
+pub fn decimals(text: &[u8]) -> (i32, Option<i32>) {
+    let Some(extent) = Extent::of(text) else { return (0, None) };
+    let exponent = text.get(extent.exponent..extent.end).filter(|exponent| !exponent.is_empty()).map(exponent_of);
+    (i32::try_from(extent.decimals).unwrap_or(i32::MAX), exponent)
 }
 
 /// What is wrong with a field that should be a number.

@@ -2,10 +2,10 @@
 
 use super::Units;
 
-/// A note where the peak that a header says is not that of the samples, to the accuracy of the header.
-pub fn differs(said: f64, line: usize, samples: &[f64]) -> Option<String> {
+/// A note where the peak that a header says, to its last digit `digit`, is not that of the samples.
+pub fn differs(said: f64, digit: f64, line: usize, samples: &[f64]) -> Option<String> {
     let found = largest(samples, 0.0);
-    let differs = said.is_finite() && said != 0.0 && (said.abs() - found).abs() > 2e-3 * found.max(said.abs());
+    let differs = said.is_finite() && said != 0.0 && (said.abs() - found).abs() > digit + 2e-3 * found;
     differs.then(|| format!("line {line} says that the peak is {}, but the largest sample is {found}", said.abs()))
 }
 
@@ -18,7 +18,7 @@ pub fn offset(samples: &[f64], units: Units, always: bool) -> Option<String> {
     (tells && mean != 0.0).then(|| {
         let (mean, peak) = (short(mean), short(peak));
         format!(
-            "the mean of the record is {mean} {units}, and its peak from there {peak} {units}; the mean is not removed"
+            "the mean of the record is {mean:?} {units}, and its peak from there {peak:?} {units}; the mean is not removed"
         )
     })
 }

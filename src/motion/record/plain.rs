@@ -7,7 +7,9 @@ use super::{
     Asked, Found, RecordError, at2,
     error::shown,
     header::{self, Counted},
-    one_series, refuse, rows, table,
+    one_series, refuse,
+    rows::{self, Block},
+    table,
     text::{Numbered, Text, contains},
     units,
 };
@@ -17,7 +19,11 @@ pub fn read(text: &Text<'_>, asked: &Asked) -> Result<Found, RecordError> {
     let first = table::first_line(text, asked.column).ok_or_else(|| nothing(text))?;
     let head = text.before(first);
     refuse::other_than_acceleration(&head)?;
-    if let Some((line, _)) = head.iter().find(|(_, line)| header::is_npts_dt(line)) {
+    refuse::unknown_volume(&head)?;
+    let mut candidates = head.iter().filter(|(_, line)| header::is_npts_dt(line));
+    // Prose may speak of both before the line that gives them.
+    let is_given = |(number, line): &&Numbered<'_>| header::npts_dt(*number, line).is_ok();
+    if let Some((line, _)) = candidates.clone().find(is_given).or_else(|| candidates.next()) {
         return one_series(at2::read(text, *line)?, asked.column);
     }
     let numbered = counted(text, first);
@@ -38,11 +44,14 @@ fn series(
     start: usize,
     counted: Option<Counted>,
 ) -> Result<Found, RecordError> {
-    let (mut samples, last) = rows::numbers(text, start)?;
+    let block = rows::numbers(text, start)?;
+    let lone = lone_count(text, start);
+    let is_counted = counted.is_some() || lone.is_some();
+    let Block { numbers: mut samples, last, .. } = if is_counted { block } else { block.even()? };
     let mut dt = counted.map(|counted| (counted.dt, counted.line));
     if let Some(counted) = counted {
         counted.check(samples.len(), last)?;
-    } else if let Some(count) = lone_count(text, start) {
+    } else if let Some(count) = lone {
         // The count, or the count and the step, each in a line of its own.
         let step = samples.get(1).copied().filter(|step| *step > 0.0 && samples.len() == count + 2);
         dt = step.map(|step| (step, start + 1));
@@ -64,7 +73,7 @@ fn counted(text: &Text<'_>, first: usize) -> Option<Counted> {
     let counted = header::count_and_step(first, text.line(first))?;
     let fields = |line: usize| rows::fields(text.line(line)).count();
     let next = rows::first(text, first + 1)?;
-    let as_many = || rows::numbers(text, next).is_ok_and(|(numbers, _)| numbers.len() == counted.count);
+    let as_many = || rows::numbers(text, next).is_ok_and(|block| block.numbers.len() == counted.count);
     (fields(next) != 2 || as_many()).then_some(counted)
 }
 

@@ -22,7 +22,10 @@ pub fn other_than_text(bytes: &[u8]) -> Result<(), RecordError> {
         return whole("a text in UTF-16; save it as UTF-8");
     }
     let is_odd = |byte: &u8| matches!(byte, 0..=8 | 14..=31 | 127);
-    let odd = text.strip_suffix(b"\x1a").unwrap_or(text).iter().position(is_odd);
+    let inside = text.strip_suffix(b"\x1a").unwrap_or(text);
+    // A block at a time, which the compiler makes quick.
+    let has_odd = inside.chunks(256).any(|block| block.iter().fold(false, |odd, byte| odd | is_odd(byte)));
+    let odd = if has_odd { inside.iter().position(is_odd) } else { None };
     if let Some(at) = odd {
         let line = 1 + bytes.iter().take(at).filter(|byte| **byte == b'\n').count();
         return Err(RecordError::at(line, format!("a binary file (byte {} is no text); {EXPECTED}", at + 1)));
@@ -30,7 +33,7 @@ pub fn other_than_text(bytes: &[u8]) -> Result<(), RecordError> {
     let first = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let what = match text.first() {
         Some(b'<') => "a page in HTML or XML, perhaps of a failed download",
-        Some(b'{') => "a file in JSON",
+        Some(b'{') => "a file in JSON or RTF",
         _ if text.starts_with(b"%PDF") => "a PDF",
         _ => return Ok(()),
     };
@@ -57,5 +60,21 @@ pub fn other_than_acceleration(header: &[Numbered<'_>]) -> Result<(), RecordErro
         (Some(line), _) => refused(line, "velocity"),
         (_, Some(line)) => refused(line, "displacement"),
         _ => Ok(()),
+    }
+}
+
+/// Refuses the volumes of the strong-motion programs that are laid out otherwise: they have headers in numbers, which would be read as samples.
+pub fn unknown_volume(header: &[Numbered<'_>]) -> Result<(), RecordError> {
+    let is_volume =
+        |(_, line): &&Numbered<'_>| text::contains(line, "CORRECTED ACCELEROGRAM") || text::contains(line, "(Format v");
+    match header.iter().take(3).find(is_volume) {
+        Some((number, line)) => {
+            let expected = "expected is a V2 file of COSMOS or CSMIP, or SMC";
+            Err(RecordError::at(
+                *number,
+                format!("`{}` begins a file that is laid out otherwise; {expected}", shown(line)),
+            ))
+        }
+        None => Ok(()),
     }
 }

@@ -1,5 +1,7 @@
 //! Numbers in rows, one or several a line, in the order of time.
 
+use std::cmp::Ordering;
+
 use super::{MOST_SAMPLES, RecordError, error, error::shown, number, number::Field, text::Text};
 
 /// No number is printed with more characters.
@@ -37,36 +39,74 @@ pub fn first(text: &Text<'_>, from: usize) -> Option<usize> {
     text.from(from).find(|(_, line)| kind(line) == Kind::Numbers).map(|(line, _)| line)
 }
 
-/// Reads all numbers from a line on; and the last line that has any.
+/// Numbers in rows.
+#[derive(Debug)]
+pub struct Block {
+    /// In their order.
+    pub numbers: Vec<f64>,
+    /// The last line that has any.
+    pub last: usize,
+    /// The first line but the last that has not as many as the first line, and how many both have.
+    uneven: Option<(usize, usize, usize)>,
+}
+
+impl Block {
+    /// The numbers, if all lines but the last have as many: a line that has not may be a header in numbers.
+    pub fn even(self) -> Result<Self, RecordError> {
+        match self.uneven {
+            Some((line, here, first)) => {
+                let message =
+                    format!("{here} numbers, after {first} in the first line of numbers; expected are as many in each");
+                Err(RecordError::at(line, message))
+            }
+            None => Ok(self),
+        }
+    }
+}
+
+/// Reads all numbers from a line on.
 ///
 /// # Errors
 /// When something else stands there, except a mark of the end after the last number.
-pub fn numbers(text: &Text<'_>, from: usize) -> Result<(Vec<f64>, usize), RecordError> {
-    let (mut numbers, mut last) = (Vec::new(), from);
+pub fn numbers(text: &Text<'_>, from: usize) -> Result<Block, RecordError> {
+    let mut block = Block { numbers: Vec::new(), last: from, uneven: None };
+    let (mut a_line, mut short) = (0, None);
     for (line, content) in text.from(from) {
+        let before = block.numbers.len();
         for mut rest in fields(content) {
             while !rest.is_empty() {
                 let Field::Number(value, after) = number::field(rest) else {
-                    return if is_end(text, line) {
-                        Ok((numbers, last))
-                    } else {
-                        Err(not_a_number(line, rest, content))
-                    };
+                    return if is_end(text, line) { Ok(block) } else { Err(not_a_number(line, rest, content)) };
                 };
-                (rest, last) = (after, line);
-                numbers.push(value);
+                (rest, block.last) = (after, line);
+                block.numbers.push(value);
             }
         }
-        if numbers.len() > MOST_SAMPLES {
+        if block.numbers.len() > MOST_SAMPLES {
             return Err(error::too_many());
         }
+        let here = block.numbers.len() - before;
+        if here == 0 {
+            continue;
+        }
+        // A short line is the last, or it is uneven.
+        block.uneven = block.uneven.or(short.take());
+        a_line = if before == 0 { here } else { a_line };
+        match here.cmp(&a_line) {
+            Ordering::Less => short = Some((line, here, a_line)),
+            Ordering::Equal => {}
+            Ordering::Greater => block.uneven = block.uneven.or(Some((line, here, a_line))),
+        }
     }
-    Ok((numbers, last))
+    Ok(block)
 }
 
 /// Whether a line is a mark of the end, such as `*** End Data ***`, after which no numbers come.
 pub fn is_end(text: &Text<'_>, line: usize) -> bool {
     let content = text.line(line);
+    if matches!(content.trim_ascii_start().first(), Some(b'0'..=b'9' | b'.' | b'"')) {
+        return false;
+    }
     let speaks = super::text::contains(content, "end") || content.starts_with(b"#");
     speaks && kind(content) == Kind::Prose && first(text, line + 1).is_none()
 }

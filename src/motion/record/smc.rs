@@ -80,7 +80,7 @@ pub fn read(text: &Text<'_>) -> Result<Found, RecordError> {
         return Err(RecordError::at(line, format!("`{}`; expected is the end after {count} values", shown(content))));
     }
     let peak = [real(30), real(32)].into_iter().flatten().fold(0.0, |peak, value| f64::max(peak, value.abs()));
-    let notes = peak::differs(peak, first_real + 5, &samples).into_iter().collect();
+    let notes = peak::differs(peak, 0.0, first_real + 5, &samples).into_iter().collect();
     Ok(Found {
         format: "SMC",
         dt: Some((1.0 / rate, first_real)),

@@ -5,21 +5,29 @@
 use super::{
     Asked, Found, MOST_SAMPLES, RecordError, Step,
     error::{self, shown},
+    header,
     number::{self, Field},
     rows::{self, Kind},
     text::{Numbered, Text, contains, words},
     time_column::{self, Time},
-    units::{self, Named},
+    titles::{self, Title},
 };
 
-/// The columns of a line: between commas or semicolons, where an empty one counts, and otherwise between blanks.
-fn columns(line: &[u8]) -> Vec<&[u8]> {
-    let separator = if line.contains(&b';') { b';' } else { b',' };
-    if !line.contains(&separator) {
-        return words(line).collect();
+/// What separates the columns of a line: semicolons or commas, between which an empty one counts; `None` for blanks.
+fn separator(line: &[u8]) -> Option<u8> {
+    [b';', b','].into_iter().find(|separator| line.contains(separator))
+}
+
+/// How many columns a line has.
+pub fn columns(line: &[u8]) -> usize {
+    match separator(line) {
+        None => words(line).count(),
+        // One at the end ends the last column.
+        Some(separator) => {
+            let line = line.strip_suffix(&[separator]).unwrap_or(line);
+            1 + line.iter().filter(|byte| **byte == separator).count()
+        }
     }
-    let line = line.strip_suffix(&[separator]).unwrap_or(line);
-    line.split(|byte| *byte == separator).map(unquoted).collect()
 }
 
 /// A field without blanks and quotes around it.
@@ -29,28 +37,23 @@ fn unquoted(field: &[u8]) -> &[u8] {
 }
 
 /// A column of a line, the first being 1.
-fn column(line: &[u8], number: usize) -> Option<&[u8]> {
-    let separator = if line.contains(&b';') { b';' } else { b',' };
+pub fn column(line: &[u8], number: usize) -> Option<&[u8]> {
     let place = number.checked_sub(1)?;
-    if line.contains(&separator) {
-        return line.split(|byte| *byte == separator).nth(place).map(unquoted);
+    match separator(line) {
+        None => words(line).nth(place),
+        Some(separator) => line.split(|byte| *byte == separator).nth(place).map(unquoted),
     }
-    words(line).nth(place)
 }
 
 /// The first line of data: of numbers only, or with a number in the first column and in the one that is asked.
 pub fn first_line(text: &Text<'_>, asked: Option<usize>) -> Option<usize> {
     let is_number = |field: Option<&[u8]>| field.is_some_and(|field| number::field(field) != Field::Other);
-    let has =
-        |line: &[u8], asked: usize| is_number(column(line, 1)) && is_number(column(line, asked)) && !header_like(line);
+    let has = |line: &[u8], asked: usize| {
+        is_number(column(line, 1)) && is_number(column(line, asked)) && !header::is_npts_dt(line)
+    };
     let is_data =
         |line: &[u8]| rows::kind(&unquoted_line(line)) == Kind::Numbers || asked.is_some_and(|asked| has(line, asked));
     text.from(1).find(|(_, line)| is_data(line)).map(|(line, _)| line)
-}
-
-/// The old PEER header has a number in front.
-fn header_like(line: &[u8]) -> bool {
-    contains(line, "NPTS")
 }
 
 /// The line without quotes, for those that have any.
@@ -65,45 +68,16 @@ fn unquoted_line(line: &[u8]) -> std::borrow::Cow<'_, [u8]> {
 /// first of several rises evenly as times do.
 pub fn is(text: &Text<'_>, first: usize, asked: Option<usize>) -> bool {
     let line = text.line(first);
-    let number = columns(line).len();
-    let separated = line.contains(&b',') || line.contains(&b';');
-    if number < 2 || asked.is_some() || separated || number == 2 || title(text, first) == Title::Time {
-        return number > 1 || asked.is_some();
+    let number = columns(line);
+    if number < 2 {
+        return false;
+    }
+    if number == 2 || asked.is_some() || separator(line).is_some() || titles::first(text, first) == Title::Time {
+        return true;
     }
     let firsts: Option<Vec<Time<'_>>> =
         data(text, first, 50).iter().map(|(line, content)| time(*line, content)).collect();
     firsts.is_some_and(|times| times.len() > 2 && time_column::step(&times, Step::OfFile).is_ok())
-}
-
-/// What the title of the first column says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Title {
-    Time,
-    Count,
-    Spectrum,
-    Other,
-}
-
-/// The last header line: the titles of the columns, if it is that.
-fn titles<'a>(text: &Text<'a>, first: usize) -> Option<Numbered<'a>> {
-    text.from(1).take(first - 1).filter(|(_, line)| !line.is_empty()).last()
-}
-
-fn title(text: &Text<'_>, first: usize) -> Title {
-    let line = titles(text, first).map_or(&b""[..], |(_, line)| line);
-    let is_letter = |byte: &u8| byte.is_ascii_alphabetic();
-    let word: Vec<u8> =
-        line.iter().skip_while(|byte| !is_letter(byte)).take_while(|byte| is_letter(byte)).copied().collect();
-    let is = |known: &[&str]| known.iter().any(|known| word.eq_ignore_ascii_case(known.as_bytes()));
-    if is(&["t", "time", "times", "sec", "secs", "second", "seconds", "zeit", "temps", "tiempo", "tempo"]) {
-        Title::Time
-    } else if is(&["period", "periods", "freq", "frequency", "frequencies"]) {
-        Title::Spectrum
-    } else if is(&["k", "i", "n", "index", "no", "nr", "number", "sample", "point", "id"]) {
-        Title::Count
-    } else {
-        Title::Other
-    }
 }
 
 /// The lines of data, up to a mark of the end.
@@ -120,21 +94,15 @@ fn time(line: usize, content: &[u8]) -> Option<Time<'_>> {
 
 /// Reads a table whose data begin at a line.
 pub fn read(text: &Text<'_>, first: usize, asked: &Asked) -> Result<Found, RecordError> {
-    let number = columns(text.line(first)).len();
-    let role = title(text, first);
-    if role == Title::Spectrum {
-        let (line, content) = titles(text, first).unwrap_or((first, b""));
-        return Err(RecordError::at(
-            line,
-            format!("`{}` is of a spectrum; expected is an acceleration in time", shown(content)),
-        ));
-    }
+    let number = columns(text.line(first));
+    let role = titles::first(text, first);
+    titles::check(text, first)?;
     let data = data(text, first, MOST_SAMPLES + 1);
     if data.len() > MOST_SAMPLES {
         return Err(error::too_many());
     }
     for (line, content) in &data {
-        let here = columns(content).len();
+        let here = columns(content);
         if here != number {
             let message =
                 format!("`{}` has {here} columns, line {first} has {number}; expected are as many", shown(content));
@@ -165,7 +133,7 @@ pub fn read(text: &Text<'_>, first: usize, asked: &Asked) -> Result<Found, Recor
         }
         First::Data => None,
     };
-    let units = units_of(text, first, number, wanted)?;
+    let units = titles::units(text, first, number, wanted)?;
     Ok(Found { format: "columns", dt, units, samples, notes, has_offset: false })
 }
 
@@ -182,24 +150,29 @@ fn times<'a>(data: &[Numbered<'a>], title: Title) -> Result<First<'a>, RecordErr
     for (line, content) in data {
         match time(*line, content) {
             Some(time) => times.push(time),
-            None if title == Title::Time => {
-                return Err(number::error(*line, column(content, 1).unwrap_or_default()));
-            }
-            None => return Ok(First::Data),
+            None => return Err(number::error(*line, column(content, 1).unwrap_or_default())),
         }
     }
     let pairs = || times.iter().zip(times.iter().skip(1));
-    let rises = pairs().filter(|(before, next)| next.value > before.value).count();
-    let counts = || times.iter().all(|time| time.typed.iter().all(u8::is_ascii_digit));
-    let by_one = || pairs().all(|(before, next)| next.value - before.value == 1.0);
-    Ok(match title {
-        Title::Time => First::Times(times),
-        Title::Count => First::Count,
-        _ if counts() && by_one() => First::Count,
-        // Noise rises at every second line; a column that nearly always does is one of times, with a slip in it if not always.
-        _ if times.len() > 1 && 4 * rises >= 3 * (times.len() - 1) => First::Times(times),
-        _ => First::Data,
-    })
+    // Noise rises at every second line; a column that nearly always does is one of times or counts, with a slip in it if not always.
+    let nearly_all = |is: &dyn Fn(&Time<'_>, &Time<'_>) -> bool| {
+        times.len() > 1 && 4 * pairs().filter(|(before, next)| is(before, next)).count() >= 3 * (times.len() - 1)
+    };
+    let is_whole = times.iter().all(|time| time.typed.iter().all(u8::is_ascii_digit));
+    let by_one = |before: &Time<'_>, next: &Time<'_>| next.value - before.value == 1.0;
+    let counts = title == Title::Count || (title == Title::Other && is_whole && nearly_all(&by_one));
+    if counts {
+        return match pairs().find(|(before, next)| !by_one(before, next)) {
+            Some((before, next)) => {
+                let (next_typed, before_typed) = (shown(next.typed), shown(before.typed));
+                let message = format!("the count {next_typed} follows {before_typed}; expected is one more");
+                Err(RecordError::at(next.line, message))
+            }
+            None => Ok(First::Count),
+        };
+    }
+    let rises = |before: &Time<'_>, next: &Time<'_>| next.value > before.value;
+    Ok(if title == Title::Time || nearly_all(&rises) { First::Times(times) } else { First::Data })
 }
 
 /// The column of the acceleration.
@@ -233,45 +206,14 @@ fn wanted(
     }
 }
 
-/// The units in the title of the column, if the titles are as many as the columns; otherwise in the header.
-fn units_of(
-    text: &Text<'_>,
-    first: usize,
-    number: usize,
-    wanted: usize,
-) -> Result<Option<(units::Units, usize)>, RecordError> {
-    let title = titles(text, first).filter(|(_, line)| columns(line).len() == number);
-    let Some((line, title)) = title.and_then(|(line, titles)| Some((line, column(titles, wanted)?))) else {
-        return units::of_header(&text.before(first));
-    };
-    if is_of_other(title) {
-        return Err(RecordError::at(
-            line,
-            format!("the title of the column is `{}`; expected is an acceleration", shown(title)),
-        ));
-    }
-    match units::of_title(title) {
-        Some((Named::Known(units), _)) => Ok(Some((units, line))),
-        Some((Named::Other, word)) => Err(units::other(line, word)),
-        None => units::of_header(&text.before(line)),
-    }
-}
-
-/// Whether a title has a word such as `vel` or `displacement` in it.
-fn is_of_other(title: &[u8]) -> bool {
-    let mut words = title.split(|byte| !byte.is_ascii_alphabetic());
-    let starts =
-        |word: &[u8], with: &[u8]| word.get(..with.len()).is_some_and(|start| start.eq_ignore_ascii_case(with));
-    words.any(|word| starts(word, b"vel") || starts(word, b"disp"))
-}
-
 /// Refuses decimal commas: a comma between digits where a semicolon, a tab or a blank separates.
 fn decimal_comma(line: usize, content: &[u8]) -> Result<(), RecordError> {
-    let between =
-        content.windows(3).any(|three| matches!(three, [a, b',', b] if a.is_ascii_digit() && b.is_ascii_digit()));
+    if content.contains(&b'.') || !content.contains(&b',') {
+        return Ok(());
+    }
+    let is_between = |three: &[u8]| matches!(three, [a, b',', b] if a.is_ascii_digit() && b.is_ascii_digit());
     let separates = content.iter().any(|byte| matches!(byte, b';' | b'\t' | b' '));
-    let spaced = content.windows(2).any(|two| two == b", ");
-    if between && separates && !spaced && !content.contains(&b'.') {
+    if content.windows(3).any(is_between) && separates && !contains(content, ", ") {
         let message = format!("`{}` has decimal commas; expected are decimal points", shown(content));
         return Err(RecordError::at(line, message));
     }

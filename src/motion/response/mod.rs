@@ -6,6 +6,7 @@
 
 mod fall;
 mod lobes;
+mod peak;
 mod run;
 mod sample;
 mod shaken;
@@ -18,6 +19,7 @@ use contract::{Arrival, Body, Case, Decline, Invalid, Loss, Motion, Oracle, Slen
 
 pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
+pub use peak::Peak;
 pub use sample::{Sample, State, Window};
 pub use shaken::Shaken;
 pub use termination::Termination;
@@ -254,6 +256,22 @@ impl Response {
             }
         }
         self
+    }
+
+    /// The largest rotation while the block rocks; `None` if it never does.
+    ///
+    /// # Errors
+    /// When `oracle`, which the response is of, declines the case.
+    pub fn peak(&self, oracle: &dyn Oracle, request: &Request) -> Result<Option<Peak>, Decline> {
+        if self.bouts.is_empty() { Ok(None) } else { Ok(self.peak_by(oracle.flights(&request.case)?.as_ref())) }
+    }
+
+    /// The largest rotation in a response to another motion than a sinusoid.
+    ///
+    /// # Errors
+    /// When `oracle`, which the response is of, declines it.
+    pub fn peak_on_motion(&self, oracle: &dyn Oracle, request: &OnMotion) -> Result<Option<Peak>, Decline> {
+        Ok(self.peak_by(oracle.flights_on(&request.body, &request.motion)?.as_ref()))
     }
 
     /// The times of rest, each from and to.

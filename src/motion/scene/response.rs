@@ -48,6 +48,11 @@ impl Scene {
         if matches!(termination, Termination::ChatteringThreshold(_)) {
             return Err(Invalid::new("termination", "chattering", "of a sinusoid under a block at rest only"));
         }
+        if shaking.over_slender.is_some_and(|model| model != self.ask.model) {
+            let allowed = "that of the scene's own model, where an amplitude is over the slender threshold, which each model has for itself";
+            let name = if self.ask.model == Model::Linear { "linear" } else { "nonlinear" };
+            return Err(Invalid::new("model", name, allowed));
+        }
         let alpha = (self.ask.model == Model::Nonlinear).then_some(self.block.slenderness);
         Ok(Some(OnMotion {
             body: Body::new(self.block.restitution, alpha)?,

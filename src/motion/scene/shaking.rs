@@ -20,6 +20,8 @@ pub struct Shaking {
     pub motion: Arc<Motion>,
     /// By how much it may be off by rounding, relative.
     pub rounding: f64,
+    /// The model whose threshold it was measured with, `g α` of the linear one, where an amplitude is written over the slender threshold.
+    pub over_slender: Option<Model>,
     /// What a reader of its file should know.
     pub notes: Vec<String>,
 }
@@ -68,10 +70,12 @@ impl Reader<'_> {
         let terms = if amplitude > 0.0 { vec![Sinusoid { amplitude, omega, phase }] } else { Vec::new() };
         let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
         let motion = motion.map_err(|invalid| self.text.error(&span, invalid))?;
+        let over_slender = self.over_slender(fields.amplitude.iter());
         Ok(Shaking {
             name: "a sinusoid under a block that is in motion",
             motion: Arc::new(motion),
             rounding,
+            over_slender,
             notes: Vec::new(),
         })
     }
@@ -114,7 +118,8 @@ impl Reader<'_> {
             }
         };
         let motion = motion.map_err(|invalid| self.text.error(&pulse.span(), invalid))?;
-        Ok(Shaking { name: by, motion: Arc::new(motion), rounding, notes: Vec::new() })
+        let over_slender = self.over_slender(fields.amplitude.iter());
+        Ok(Shaking { name: by, motion: Arc::new(motion), rounding, over_slender, notes: Vec::new() })
     }
 
     fn sum(&self, sinusoids: &Spanned<Vec<SineFields>>, fields: &GroundFields) -> Result<Shaking, SceneError> {
@@ -167,7 +172,8 @@ impl Reader<'_> {
         };
         let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
         let motion = motion.map_err(|invalid| self.text.error(&sinusoids.span(), invalid))?;
-        Ok(Shaking { name: BY, motion: Arc::new(motion), rounding, notes: Vec::new() })
+        let over_slender = self.over_slender(sinusoids.get_ref().iter().map(|fields| &fields.amplitude));
+        Ok(Shaking { name: BY, motion: Arc::new(motion), rounding, over_slender, notes: Vec::new() })
     }
 
     fn record(&self, record: &RecordFields, fields: &GroundFields) -> Result<Shaking, SceneError> {
@@ -219,7 +225,14 @@ impl Reader<'_> {
             dt.ok_or_else(|| at_file("dt: the file does not say it: { seconds = .. } or { tau = .. }".to_owned()))?;
         let motion = Motion::record(dt, scale * unit, samples).map_err(|invalid| at_file(invalid.to_string()))?;
         let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
-        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, notes })
+        let over_slender = None;
+        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, over_slender, notes })
+    }
+
+    fn over_slender<'b>(&self, mut amplitudes: impl Iterator<Item = &'b Spanned<Amplitude>>) -> Option<Model> {
+        let is_slender =
+            |amplitude: &Spanned<Amplitude>| matches!(amplitude.get_ref(), Amplitude::OverSlenderThreshold(_));
+        amplitudes.any(is_slender).then_some(self.model)
     }
 
     /// The acceleration at which the block begins to rock, m/s².
