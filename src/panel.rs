@@ -19,7 +19,8 @@ use taylor::Taylor;
 use crate::{gate::roles::Roles, motion::linearisation::Corrected};
 
 pub use lookup::{
-    all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, with_role,
+    all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, stepper_on,
+    with_role,
 };
 pub use settings::{Refused, Setting, Settings};
 

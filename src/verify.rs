@@ -11,7 +11,7 @@ use crate::{
         ladder,
         report::{Engine, Granted, Report},
         roles::Roles,
-        run::{self, Selection},
+        run::{self, Placed, Selection},
     },
     measure::conditioning::Conditioning,
     panel,
@@ -72,13 +72,13 @@ impl Verify {
         };
         let judges = panel::judges();
         let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: self.judge_every };
-        let selection = Selection { cases: self.cases, seed: self.seed, partition: (1, 1) };
+        let selection = Selection { cases: self.cases, seed: self.seed };
         let cases = run::cases(&selection, panel::stepper().as_ref());
         // The ladders are a test of the panel itself.
         let ladders = ladder::descend(&beside, panel::SERIES)?;
         let is_theirs = |name: &str| simulators.iter().any(|simulator| simulator.name() == name);
         let guests = Guests { is_guest: &is_theirs, ..Guests::default() };
-        let run = run::with_guests(&all, &guests, &judges, &cases, self.seed, Some(ladders), &());
+        let run = run::with_guests(&all, &guests, &judges, &Placed::all(&cases), self.seed, Some(ladders), &());
         let may_decline = |name: &str| if is_theirs(name) { self.may_decline } else { panel::may_decline(name) };
         let granted = |name: &str| self.granted.is_some() && is_theirs(name);
         let shown_by = |name: &str, flags: &str| {

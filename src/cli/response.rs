@@ -195,9 +195,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         scene.ask.model = panel::model_named(name)?;
     }
     arguments.check()?;
-    let oracle = panel::stepper_of(scene.ask.model);
-    let oracle = oracle.as_ref();
     let asked = arguments.asked(&scene)?;
+    let oracle = match &asked {
+        Asked::Sinusoid(_) => panel::stepper_of(scene.ask.model),
+        Asked::Motion(request) => panel::stepper_on(&request.body, &request.motion),
+    };
+    let oracle = oracle.as_ref();
     let declined = |decline: Decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = asked.response(oracle).map_err(declined)?;
     if let scene::Ground::Shaking(shaking) = &scene.ground {

@@ -1,6 +1,6 @@
 //! Looking methods up in the table: by name, by role, by what they use.
 
-use contract::{Case, Invalid, Model, Oracle};
+use contract::{Body, Case, Invalid, Model, Motion, Oracle};
 
 use super::{Method, Panel, Refused, Role, Setting, Settings, TABLE};
 
@@ -53,6 +53,18 @@ pub fn beside(models: &[Model]) -> Panel {
     let mut panel = with_role(Role::Stepper);
     panel.retain(|oracle| oracle.model() == Model::Linear || models.contains(&oracle.model()));
     panel
+}
+
+/// The oracle that steps fastest on this motion of the ground, on the nonlinear equation for a block with a slenderness and on the linear one for one without;
+/// where none does the motion, the one that would be asked first.
+pub fn stepper_on(body: &Body, motion: &Motion) -> Box<dyn Oracle> {
+    let model = if body.alpha().is_some() { Model::Nonlinear } else { Model::Linear };
+    // One for the nonlinear equation does the linear one too.
+    let mut steppers = with_role(Role::Stepper).into_iter();
+    let does = |oracle: &Box<dyn Oracle>| {
+        (oracle.model() == model || model == Model::Linear) && oracle.flights_on(body, motion).is_ok()
+    };
+    steppers.find(does).unwrap_or_else(|| super::stepper_of(model))
 }
 
 /// The oracles whose claims are proven, one for each model: they judge the others.

@@ -4,6 +4,7 @@
 mod falling;
 mod flights;
 mod free_rocking;
+mod ground;
 mod one_answer;
 mod plan;
 mod response;

@@ -240,10 +240,18 @@ fn the_scenes_that_come_with_it_can_be_asked() {
             continue;
         }
         let path = path.to_str().unwrap();
+        let text = std::fs::read_to_string(path).unwrap();
+        if Scene::parse_in(&text, folder.as_ref()).unwrap().sine().is_err() {
+            // Not the history of a case.
+            let (code, _, err) = run(&["response", path, "--format", "json"]);
+            assert_eq!(code, Some(0), "{path}: {err}");
+            count += 1;
+            continue;
+        }
         let (code, out, err) = run(&["chattering-time", "--scene", path, "--format", "json"]);
         assert_eq!(code, Some(0), "{path}: {err}");
         let answer: Value = serde_json::from_str(&out).unwrap();
-        let scene = scene(&std::fs::read_to_string(path).unwrap());
+        let scene = scene(&text);
         let seconds = answer["tau_ch"].as_f64().unwrap() / scene.block.frequency_parameter();
         assert_relative_eq!(answer["seconds"].as_f64().unwrap(), seconds, max_relative = 1e-15);
         // Whatever answers it, it is right to the tolerance of the scene, on the equation that the scene asks for.

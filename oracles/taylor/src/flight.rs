@@ -192,7 +192,7 @@ fn leading(multiplicity: usize, forcing: &Forcing) -> usize {
 }
 
 /// How far the series may be trusted: where its last two terms are negligible against the largest of the `leading` first ones.
-fn reliable(deflated: &[f64], leading: usize) -> f64 {
+pub(crate) fn reliable(deflated: &[f64], leading: usize) -> f64 {
     let lead = deflated.iter().take(leading).fold(0.0, |m: f64, c| m.max(c.abs()));
     let allowed = TRUNCATION * lead;
     deflated.iter().enumerate().rev().take(2).fold(LONGEST, |step, (k, c)| {
@@ -207,7 +207,7 @@ fn reliable(deflated: &[f64], leading: usize) -> f64 {
 }
 
 /// Where the polynomial is first 0 in a step.
-enum Root {
+pub(crate) enum Root {
     /// Nowhere.
     None,
     /// It is not positive at the start.
@@ -217,7 +217,7 @@ enum Root {
 }
 
 /// The first root in `(0, step]` of the deflated polynomial, which has to be positive at 0.
-fn first_root(deflated: &[f64], step: f64) -> Root {
+pub(crate) fn first_root(deflated: &[f64], step: f64) -> Root {
     let (value, slope) = match *deflated {
         [value, slope, ..] => (value, slope),
         [value] => (value, 0.0),

@@ -8,13 +8,14 @@
 pub mod equation;
 pub mod flight;
 mod flights;
+mod ground;
 pub mod sequence;
 pub mod series;
 mod still;
 #[cfg(test)]
 mod tests;
 
-use contract::{Case, Decline, Ending, FlightSolver, History, Model, Oracle};
+use contract::{Body, Case, Decline, Ending, FlightSolver, History, Model, Motion, Oracle};
 use equation::{Block, excess};
 use flights::Flights;
 
@@ -50,6 +51,11 @@ impl Oracle for Taylor {
         let (epsilon, _) = excess(case.epsilon(), slenderness);
         within_reach(case, epsilon)?;
         Ok(Box::new(Flights(Block::new(epsilon, case.omega(), case.eta(), slenderness.alpha()))))
+    }
+
+    /// Of the linear equation for a block without a slenderness.
+    fn flights_on(&self, body: &Body, motion: &Motion) -> Result<Box<dyn FlightSolver>, Decline> {
+        Ok(Box::new(ground::Flights::new(body, motion)?))
     }
 }
 

@@ -116,23 +116,29 @@ impl Products {
 /// With `σ = sin(αPχ)/(αP)`, `C = cos(αPχ)` and `G(ξ)`, the equation of [`crate::equation`] in these units is
 /// `χ'' = (T²/cos α) σ - G D`, `D = (T²/cos α) sin²(α) σ + (T²/P) K C`, and `σ' = C χ'`, `C' = -(αP)² σ χ'`.
 pub fn expand(block: &Block, forcing: &Forcing, scale: &Scale, state: (f64, f64), terms: Terms) -> Series {
+    let order = terms.most.min(ORDER);
+    // G_0 = 1 + i f, G_k = i f^(k) (ωT)^k/k!, with f'' = -f in x.
+    let mut gravity = Series::new();
+    gravity.push(forcing.gravity);
+    let (mut this, mut next, mut power) = (forcing.slope, -forcing.value, 1.0);
+    let step = block.omega * scale.time;
+    for k in 1..order {
+        power *= step * inverse(k);
+        gravity.push(this * power);
+        (this, next) = (next, -this);
+    }
+    expand_under(block, &gravity, scale, state, terms)
+}
+
+/// The same under any `G(ξ)`, given by its coefficients in these units.
+#[inline]
+pub fn expand_under(block: &Block, gravity: &Series, scale: &Scale, state: (f64, f64), terms: Terms) -> Series {
     let Scale { time, velocity } = *scale;
     let angle = block.alpha * velocity * time;
     let curvature = time * time / block.cos_alpha;
     let weight = time / velocity * block.slope;
     let order = terms.most.min(ORDER);
     let negligible = terms.negligible * state.0.abs().max(state.1.abs());
-
-    // G_0 = 1 + i f, G_k = i f^(k) (ωT)^k/k!, with f'' = -f in x.
-    let mut gravity = Series::new();
-    gravity.push(forcing.gravity);
-    let (mut this, mut next, mut power) = (forcing.slope, -forcing.value, 1.0);
-    let step = block.omega * time;
-    for k in 1..order {
-        power *= step * inverse(k);
-        gravity.push(this * power);
-        (this, next) = (next, -this);
-    }
 
     let z = angle * state.0;
     let mut chi = Series::new();
