@@ -165,7 +165,11 @@ fn what_is_wrong_is_said_on_its_line_with_field_value_and_range() {
         ("half_height = 1.1", "half_height = 1e308", "line 3: half_height = 1e308"),
         ("half_height = 1.1", "half_height = nan", "line 3: half_height = nan"),
         ("half_height = 1.1", "half_height = inf", "line 3: half_height = inf"),
-        ("half_height = 1.1\n", "", "[block] needs half_width and half_height"),
+        (
+            "half_height = 1.1\n",
+            "",
+            "[block] needs width and height (of the whole block), or half_width and half_height",
+        ),
         ("half_height = 1.1", "half_height = 1.1\nradius = 2", "[block] needs"),
         (
             "half_height = 1.1",
