@@ -3,7 +3,7 @@
 use anyhow::anyhow;
 use chattercheck::{
     cases::generate::Named,
-    faults::explain::explain,
+    faults::explain,
     gate::{
         outcome::Outcomes,
         partition::{EngineAsked, Part, Request, Whole, join},
@@ -38,8 +38,7 @@ pub(super) fn report(
     let report = Report::new(&run, &roles).with_engines(described, &run.tally).with_responses(responses);
     let report = report.explained(|name| {
         let model = panel::model_named(&engine(name)?.model).ok()?;
-        let samples = run.tally.samples(name).filter(|samples| samples.has_wrong())?;
-        Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
+        explain::for_guest(name, model, &run.tally)
     });
     Ok((report, run.outcomes))
 }

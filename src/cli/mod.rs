@@ -6,6 +6,7 @@ mod chart;
 mod chattering_time;
 mod conclusion;
 mod confusion;
+mod criterion;
 mod critical_amplitude;
 mod detection_floor;
 mod diagnose;
@@ -22,6 +23,7 @@ mod numbers;
 mod oracle_flags;
 mod oracles;
 mod output;
+mod overturning;
 mod paper;
 mod part_file;
 mod part_files;
@@ -84,6 +86,8 @@ enum Command {
     Paper(paper::Arguments),
     Scene(scene::Arguments),
     Response(response::Arguments),
+    Criterion(criterion::Arguments),
+    Overturning(overturning::Arguments),
     Plan(plan::Arguments),
 }
 
@@ -149,6 +153,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Paper(arguments) => paper::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Response(arguments) => response::run(&arguments),
+        Command::Criterion(arguments) => criterion::run(&arguments),
+        Command::Overturning(arguments) => overturning::run(&arguments),
         Command::Plan(arguments) => plan::run(&arguments),
     };
     match result {

@@ -67,6 +67,34 @@ pub fn next_push(motion: &Motion, from: f64) -> Option<Push> {
     }
 }
 
+/// When after `from`, or at it, the ground holds a resting block down again, `|f| <= 1`; `None` if it does so at no time before the motion ends, where it does.
+pub fn next_gap(motion: &Motion, from: f64) -> Option<f64> {
+    let end = motion.duration();
+    let above = |tau: f64| acceleration(motion, tau).abs() > 1.0;
+    // Just after a push the threshold itself may be rounded to either side.
+    let step = match motion {
+        Motion::Record(record) => 0.25 * record.dt,
+        Motion::Sinusoids(_) | Motion::Ricker(_) => 0.02 / fastest(motion).max(1e-9),
+    };
+    let mut low = from + 1e-3 * step;
+    if !above(low) {
+        return Some(low.min(end));
+    }
+    while low < end {
+        let high = (low + step).min(end);
+        if !above(high) {
+            let (mut inside, mut outside) = (low, high);
+            for _ in 0..60 {
+                let middle = 0.5 * (inside + outside);
+                if above(middle) { inside = middle } else { outside = middle }
+            }
+            return Some(outside);
+        }
+        low = high;
+    }
+    Some(end).filter(|end| end.is_finite())
+}
+
 /// A bound on `|f|`.
 pub fn strongest(motion: &Motion) -> f64 {
     match motion {

@@ -112,6 +112,7 @@ enum Then {
     Refused(&'static [&'static str]),
 }
 
+const PULSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/one_sine.toml");
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/paper_fig_9.toml");
 
 #[test]
@@ -140,6 +141,15 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("response SCENE", "--to 0.5", Used),
         ("response SCENE", "--steps 7", Used),
         ("response SCENE", "--format json", Used),
+        ("response SCENE --format json", "--impacts 3", Used),
+        ("response SCENE", "--impacts 3", Refused(&["impacts = 3", "--format json"])),
+        ("criterion SCENE", "--model nonlinear", Used),
+        ("criterion SCENE", "--until 0.5", Used),
+        ("criterion SCENE", "--format json", Used),
+        ("overturning PULSE --from 0.9 --to 1.1", "--model linear", Used),
+        ("overturning PULSE --from 0.9 --to 1.1", "--format json", Used),
+        ("overturning PULSE", "--from 3 --to 2", Refused(&["to = 2", "above --from"])),
+        ("overturning PULSE", "--by size", Refused(&["--by", "scale"])),
         ("response SCENE --format json", "--from 0.5", Refused(&["from = 0.5", "--format csv"])),
         ("response SCENE --format json", "--to 0.5", Refused(&["to = 0.5", "--format csv"])),
         ("response SCENE --format json", "--steps 7", Refused(&["steps = 7", "--format csv"])),
@@ -217,7 +227,7 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("diagnose --out /tmp", "--grid 0", Refused(&["grid = 0"])),
     ];
     for (command, option, then) in rows {
-        let [command, option] = [command, option].map(|text| text.replace("SCENE", SCENE));
+        let [command, option] = [command, option].map(|text| text.replace("SCENE", SCENE).replace("PULSE", PULSE));
         let (status, out, err) = run(&format!("{command} {option}"));
         match then {
             Used => {

@@ -196,7 +196,8 @@ impl Motion {
         if !(2..=Self::MOST_SAMPLES).contains(&samples.len()) {
             return Err(Invalid::new("samples", samples.len(), "2 to 10000000"));
         }
-        if let Some(sample) = samples.iter().find(|sample| !((*sample * scale).abs() <= Self::MOST)) {
+        let fits = |sample: &f64| (sample * scale).abs() <= Self::MOST;
+        if let Some(sample) = samples.iter().find(|sample| !fits(sample)) {
             return Err(Invalid::new("sample", format!("{sample:?}"), "finite, up to 1e6 thresholds"));
         }
         Ok(Self::Record(Record { dt, scale, samples: samples.into() }))

@@ -231,14 +231,21 @@ impl Response {
     /// # Errors
     /// When the oracle declines, because it has no flights on such a motion or can't do it.
     pub fn on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<Self, Decline> {
-        let response = run::follow_motion(request, oracle.flights_on(&request.body, &request.motion)?.as_ref());
+        let response = Self::once_on_motion(oracle, request)?;
         let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
         // A record has been divided by the threshold: some roundings of each sample.
         let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
         let body = Body::new(request.body.eta() * (1.0 - 0.5 * f64::EPSILON), request.body.alpha()).map_err(border)?;
         let other = OnMotion { body, motion: Arc::new(motion), ..request.clone() };
-        let other = run::follow_motion(&other, oracle.flights_on(&other.body, &other.motion)?.as_ref());
-        Ok(response.with_conditioning(&other))
+        Ok(response.with_conditioning(&Self::once_on_motion(oracle, &other)?))
+    }
+
+    /// The same, of which it is not said what rounding does to it.
+    ///
+    /// # Errors
+    /// As [`Response::on_motion`].
+    pub fn once_on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<Self, Decline> {
+        Ok(run::follow_motion(request, oracle.flights_on(&request.body, &request.motion)?.as_ref()))
     }
 
     /// Adds how far `other` is from it, which differs by rounding; once the two have parted, nothing that follows is known.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use contract::{Body, Case, Invalid, Model, Motion, Normalisation, Slenderness};
 
-use super::{Amplitude, Ground, Scene, Sine};
+use super::{Amplitude, Ground, Scene, Shaking, Sine};
 use crate::motion::response::{OnMotion, Request, Termination};
 
 /// How many cycles of a motion without end are followed unless told otherwise.
@@ -41,7 +41,25 @@ impl Scene {
     /// # Errors
     /// When a number is out of its range.
     pub fn on_motion(&self, until: Option<f64>, termination: Termination) -> Result<Option<OnMotion>, Invalid> {
-        let Ground::Shaking(shaking) = &self.ground else { return Ok(None) };
+        if matches!(self.ground, Ground::Sinusoid(_)) {
+            return Ok(None);
+        }
+        self.on_any_motion(until, termination).map(Some)
+    }
+
+    /// The same of every scene: of a sinusoid too.
+    ///
+    /// # Errors
+    /// As [`Scene::on_motion`].
+    pub fn on_any_motion(&self, until: Option<f64>, termination: Termination) -> Result<OnMotion, Invalid> {
+        let of_sine;
+        let shaking = match &self.ground {
+            Ground::Shaking(shaking) => shaking,
+            Ground::Sinusoid(sine) => {
+                of_sine = self.shaking_of(sine)?;
+                &of_sine
+            }
+        };
         if let Some(until) = until.filter(|until| !(until.is_finite() && *until >= 1e-60)) {
             return Err(Invalid::new("until", format!("{until:?}"), "a finite time above 0 (in τ)"));
         }
@@ -54,7 +72,7 @@ impl Scene {
             return Err(Invalid::new("model", name, allowed));
         }
         let alpha = (self.ask.model == Model::Nonlinear).then_some(self.block.slenderness);
-        Ok(Some(OnMotion {
+        Ok(OnMotion {
             body: Body::new(self.block.restitution, alpha)?,
             motion: Arc::clone(&shaking.motion),
             rounding: shaking.rounding,
@@ -63,7 +81,25 @@ impl Scene {
             lies_at: Some(std::f64::consts::FRAC_PI_2 / self.block.slenderness),
             termination: termination.check()?,
             most_impacts: Request::MOST_IMPACTS,
-        }))
+        })
+    }
+
+    /// A sinusoid as a motion that starts and may end.
+    fn shaking_of(&self, sine: &Sine) -> Result<Shaking, Invalid> {
+        let is_slender = matches!(sine.amplitude, Amplitude::OverSlenderThreshold(_));
+        let amplitude = match sine.amplitude {
+            Amplitude::OverSlenderThreshold(a) if self.ask.model == Model::Linear => a,
+            amplitude => self.block.over_threshold(amplitude),
+        };
+        let omega = self.block.omega(sine.frequency);
+        let until = sine.duration.map_or(f64::INFINITY, |seconds| seconds * self.block.frequency_parameter());
+        Ok(Shaking {
+            name: "a sinusoid",
+            motion: Arc::new(Shaking::sine(amplitude, omega, sine.phase, until)?),
+            rounding: 2.0 * f64::EPSILON,
+            over_slender: is_slender.then_some(self.ask.model),
+            notes: Vec::new(),
+        })
     }
 
     /// The case with its amplitude over the threshold of its own model, `g α` or `g tan α`, as responses are counted.

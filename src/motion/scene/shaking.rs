@@ -26,6 +26,19 @@ pub struct Shaking {
     pub notes: Vec<String>,
 }
 
+impl Shaking {
+    /// `a sin(ωτ + phase)` until it ends; without a phase it starts at the threshold, growing, and one that stays below it at its peak.
+    pub(super) fn sine(amplitude: f64, omega: f64, phase: Option<f64>, until: f64) -> Result<Motion, Invalid> {
+        let phase = match phase {
+            Some(phase) => phase,
+            None if amplitude > 1.0 => (1.0 / amplitude).asin(),
+            None => std::f64::consts::FRAC_PI_2,
+        };
+        let terms = if amplitude > 0.0 { vec![Sinusoid { amplitude, omega, phase }] } else { Vec::new() };
+        Motion::sinusoids(vec![Stretch { until, terms }])
+    }
+}
+
 /// What the division by the threshold leaves of rounding.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
@@ -60,15 +73,8 @@ impl Reader<'_> {
         let amplitude = fields.amplitude.as_ref().map_or(Ok((0.0, 0.0)), |amplitude| self.amplitude(amplitude))?;
         let (amplitude, rounding) = amplitude;
         let omega = self.block.omega(sine.frequency);
-        let phase = match sine.phase {
-            Some(phase) => phase,
-            // The threshold, growing; one that stays below it starts at its peak.
-            None if amplitude > 1.0 => (1.0 / amplitude).asin(),
-            None => std::f64::consts::FRAC_PI_2,
-        };
         let until = sine.duration.map_or(f64::INFINITY, |seconds| seconds * self.block.frequency_parameter());
-        let terms = if amplitude > 0.0 { vec![Sinusoid { amplitude, omega, phase }] } else { Vec::new() };
-        let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
+        let motion = Shaking::sine(amplitude, omega, sine.phase, until);
         let motion = motion.map_err(|invalid| self.text.error(&span, invalid))?;
         let over_slender = self.over_slender(fields.amplitude.iter());
         Ok(Shaking {

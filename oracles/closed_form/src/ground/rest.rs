@@ -4,6 +4,8 @@
 //! `2 atanh(v/M)` and `2 atanh(v/m)`, as against a constant pull, and lands with at most `κ v`, `κ = 1 + j 2(A coth A - 1)/v`, `A = atanh(v/m)`, by the identity
 //! `w - v = ∫ [c(m + x) - c(m - x)] cosh x dx / sinh a` about the middle of the flight. Both hold for all later flights, which are slower once
 //! `q = η² κ κ' < 1`; then the times that are left are sums of geometric series, and all of it is proven if their upper bound fits into the window.
+// `!(x < y)` is meant: it also holds where `x` is not a number.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 use super::pull::{Change, Ground};
 
