@@ -60,11 +60,11 @@ pub fn beside(models: &[Model]) -> Panel {
 pub fn stepper_on(body: &Body, motion: &Motion) -> Box<dyn Oracle> {
     let model = if body.alpha().is_some() { Model::Nonlinear } else { Model::Linear };
     // One for the nonlinear equation does the linear one too.
-    let mut steppers = with_role(Role::Stepper).into_iter();
-    let does = |oracle: &Box<dyn Oracle>| {
+    let does = |oracle: &dyn Oracle| {
         (oracle.model() == model || model == Model::Linear) && oracle.flights_on(body, motion).is_ok()
     };
-    steppers.find(does).unwrap_or_else(|| super::stepper_of(model))
+    let stepper = with_role(Role::Stepper).into_iter().find(|oracle| does(oracle.as_ref()));
+    stepper.unwrap_or_else(|| super::stepper_of(model))
 }
 
 /// The oracles whose claims are proven, one for each model: they judge the others.

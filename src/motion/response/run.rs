@@ -160,7 +160,7 @@ impl Runner<'_> {
             if departure.ground != ground {
                 (tail, ground) = (Tail::default(), departure.ground);
             }
-            if let Some(end) = self.rest(solver, lobe, &departure, now - since, &mut tail, interval, now)
+            if let Some(end) = self.rest((solver, lobe), &departure, now - since, &mut tail, interval, now)
                 && (departure.ground == Ground::Still || end.1 <= shaken)
             {
                 break end;
@@ -175,8 +175,7 @@ impl Runner<'_> {
     /// Whether the block rests after this impact, and when.
     fn rest(
         &self,
-        solver: &dyn FlightSolver,
-        lobe: Lobe,
+        (solver, lobe): (&dyn FlightSolver, Lobe),
         departure: &Departure,
         since: f64,
         tail: &mut Tail,

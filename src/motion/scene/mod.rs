@@ -174,7 +174,7 @@ impl Scene {
                 if start == (0.0, 0.0) {
                     Ground::Sinusoid(sine)
                 } else {
-                    Ground::Shaking(reader.from_sine(&sine, &file.ground)?)
+                    Ground::Shaking(reader.sine_in_motion(&sine, &file.ground)?)
                 }
             }
         };

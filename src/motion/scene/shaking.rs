@@ -68,7 +68,7 @@ impl Reader<'_> {
     }
 
     /// A sinusoid as a motion that starts and may end: under a block that does not start from rest.
-    pub fn from_sine(&self, sine: &Sine, fields: &GroundFields) -> Result<Shaking, SceneError> {
+    pub fn sine_in_motion(&self, sine: &Sine, fields: &GroundFields) -> Result<Shaking, SceneError> {
         let span = fields.amplitude.as_ref().map_or(0..0, Spanned::span);
         let amplitude = fields.amplitude.as_ref().map_or(Ok((0.0, 0.0)), |amplitude| self.amplitude(amplitude))?;
         let (amplitude, rounding) = amplitude;

@@ -67,11 +67,13 @@ fn series(s: f64, n: u32, mut next: impl FnMut(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
+    type Kernel<'a> = (&'static str, &'a dyn Fn(f64) -> (f64, f64), &'a dyn Fn(f64) -> f64);
+
     /// `k'' = k + c`: each is the rotation that its part of the pull drives, from rest on the base.
     #[test]
     fn each_kernel_solves_its_equation() {
         for omega in [0.0, 0.3, 1.0, 2.5, 40.0] {
-            let kernels: [(&str, &dyn Fn(f64) -> (f64, f64), &dyn Fn(f64) -> f64); 4] = [
+            let kernels: [Kernel<'_>; 4] = [
                 ("level", &of_level, &|_| 1.0),
                 ("slope", &of_slope, &|s| s),
                 ("sine", &|s| of_sine(s, omega), &|s| if omega > 0.0 { (omega * s).sin() / omega } else { s }),

@@ -1,3 +1,5 @@
+#![allow(clippy::excessive_precision)] // Check values are written with the digits that they came with.
+
 use super::*;
 use contract::{Ground as Shaking, Motion, Sinusoid, Stretch};
 
