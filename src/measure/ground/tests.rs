@@ -56,7 +56,8 @@ fn the_next_push_is_where_the_threshold_is_first_passed() {
         let mut pushes = 0;
         while let Some(Push { time, side }) = next_push(&motion, from) {
             assert!(time >= from);
-            for k in 1..50 {
+            // Nothing is in between where it begins with a jump.
+            for k in (1..50).filter(|_| time > from) {
                 let tau = from + (time - from) * f64::from(k) / 50.0;
                 assert!(acceleration(&motion, tau).abs() <= 1.0 + 1e-12, "{name} {tau} before {time}");
             }
