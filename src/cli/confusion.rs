@@ -10,7 +10,6 @@ use chattercheck::{
 };
 use clap::{Args, ValueEnum};
 use comfy_table::{Table, presets};
-use process::Launch;
 
 use super::{
     Status,
@@ -67,10 +66,9 @@ fn planted(fault: &Fault) -> anyhow::Result<Started> {
     let program = std::env::current_exe().context("cannot find this program")?;
     let program = program.to_str().ok_or_else(|| anyhow!("the path of this program is no text"))?;
     let run = [program, "engine", "planted", fault.name, "--oracle", &fault.oracle];
-    let launch = Launch::new("planted", run, confusion::honest(fault).model());
-    let nothing_known =
-        Entry { launch, reason: String::new(), version: None, pattern: None, may_decline: 1.0, known: Vec::new() };
-    Started::new(&nothing_known, sensitive(), &Keeper::default()).map_err(|broke| anyhow!("{}: {broke}", fault.name))
+    let entry = Entry::bare("planted", run, confusion::honest(fault).model());
+    Started::new(&Entry { may_decline: 1.0, ..entry }, sensitive(), &Keeper::default())
+        .map_err(|broke| anyhow!("{}: {broke}", fault.name))
 }
 
 /// How many of the faults with which an answer is wrong are named.

@@ -58,6 +58,14 @@ pub struct Entry {
     pub known: Vec<Known>,
 }
 
+impl Entry {
+    /// An engine of which no more is known than how it is started and which equation it solves: it may decline nothing.
+    pub fn bare<'a>(name: &str, run: impl IntoIterator<Item = &'a str>, model: Model) -> Self {
+        let launch = Launch::new(name, run, model);
+        Self { launch, reason: String::new(), version: None, pattern: None, may_decline: 0.0, known: Vec::new() }
+    }
+}
+
 impl Manifest {
     /// Reads a manifest.
     ///

@@ -193,8 +193,7 @@ fn a_run_that_is_interrupted_says_what_it_found_so_far() {
         ("-TERM", "closed-form,ode/linear/tsit45/naive", 1),
     ] {
         let folder = tempfile::tempdir().unwrap();
-        let arguments =
-            format!("verify --cases 200000 --responses 1000 --quiet --oracles {oracles} --json j --junit x");
+        let arguments = format!("verify --cases 40000 --responses 1000 --quiet --oracles {oracles} --json j --junit x");
         let child = in_the_midst(folder.path(), &arguments);
         signal(&child, name);
         let output = child.wait_with_output().unwrap();

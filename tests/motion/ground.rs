@@ -139,7 +139,7 @@ fn a_mirror_image_is_one() {
     };
     let (one, other) = (record(1.0), record(-1.0));
     assert_eq!(rests(&one), rests(&other));
-    assert!(one.bouts.len() >= 2);
+    assert!(!one.bouts.is_empty());
     let velocities = |response: &Response| -> Vec<f64> {
         response.bouts.iter().flat_map(|bout| bout.impact_list(0.9).map(|(.., velocity)| velocity)).collect()
     };

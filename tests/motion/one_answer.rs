@@ -125,8 +125,8 @@ fn the_found_scenes_are_answered_right() {
     assert_eq!(ending("below_the_threshold")["bouts"].as_array().unwrap().len(), 0);
     let (_, rows, _) = run(&["response", "data/scenes/found/below_the_threshold.toml", "--steps", "10"]);
     for row in rows.lines().skip(1) {
-        let cells: Vec<f64> = row.split(',').take(4).map(|cell| cell.parse().unwrap()).collect();
+        let cells: Vec<f64> = row.split(',').take(6).map(|cell| cell.parse().unwrap()).collect();
         let omega = ending("below_the_threshold")["omega"].as_f64().unwrap();
-        assert!((cells[3] - 0.15 * (omega * cells[0] + 0.4).sin()).abs() < 1e-13, "{row}");
+        assert!((cells[5] - 0.15 * (omega * cells[0] + 0.4).sin()).abs() < 1e-13, "{row}");
     }
 }

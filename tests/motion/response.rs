@@ -389,7 +389,7 @@ fn the_command_prints_the_history_or_what_happens() {
     let (status, csv, _) = command(&["response", scene]);
     assert_eq!(status, 0);
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("tau,phi,phi_velocity,ground_acceleration,state"));
+    assert_eq!(lines.next(), Some("tau,t,phi,theta,phi_velocity,ground_acceleration,state"));
     assert!(csv.len() < 400_000, "{} bytes", csv.len());
     assert!(lines.all(|line| line.ends_with("rest") || line.ends_with("rocking")));
     let (status, json, _) = command(&["response", scene, "--format", "json", "--model", "nonlinear"]);

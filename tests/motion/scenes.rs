@@ -186,7 +186,7 @@ fn what_is_wrong_is_said_on_its_line_with_field_value_and_range() {
         (
             "restitution = 0.9",
             "restitution = 0.9\ncolour = 1",
-            "line 5: colour is not known here; known are half_width, ",
+            "line 5: colour is not known here; known are width, height, half_width, ",
         ),
         ("{ g = 0.19 }", "{ g = -0.19 }", "line 6: amplitude = { g = -0.19 }"),
         ("{ g = 0.19 }", "{ furlongs = 1 }", "line 6: amplitude: allowed is one of { g = number }, "),
@@ -214,7 +214,7 @@ fn what_is_wrong_is_said_on_its_line_with_field_value_and_range() {
         (
             "[ground]",
             "[grund]",
-            "line 5: grund is not known here (perhaps ground); known are title, block, ground, ask",
+            "line 5: grund is not known here (perhaps ground); known are title, block, ground, start, ask",
         ),
         ("[ground]", "[ground", "line 5: "),
         ("{ hz = 1.5 }", "{ hz = 1.5 }\n[ask]\nwhat = []", "line 9: what: allowed is a list of at least one of "),
