@@ -8,7 +8,7 @@ use std::{
 
 use anyhow::anyhow;
 use chattercheck::{
-    engines::Fleet,
+    engines::{Fleet, Took},
     gate::report::Report,
     studies::{
         chart,
@@ -17,7 +17,6 @@ use chattercheck::{
     },
 };
 use contract::Case;
-use process::Outcome;
 
 use super::output::note;
 
@@ -35,19 +34,18 @@ impl<'a> Clock<'a> {
 
     /// The answer of this engine to this case was right.
     pub fn note(&self, name: &str, case: &Case) {
-        let Some(answer) = self.fleet.engine(name).and_then(|engine| engine.oracle.engine().remembered(case)) else {
+        let Some(Took { impacts, seconds, own_seconds }) = self.fleet.engine(name).and_then(|engine| engine.took(case))
+        else {
             return;
         };
-        let Outcome::History(history) = &answer.outcome else { return };
-        let impacts = history.impacts.len();
         let mut speeds = self.speeds.lock().unwrap_or_else(PoisonError::into_inner);
         let speed = speeds.entry(name.to_owned()).or_default();
         speed.answers += 1;
         speed.impacts += impacts;
-        speed.seconds += answer.elapsed.as_secs_f64();
-        if let Some(ns) = answer.ns.filter(|ns| *ns > 0.0 && ns.is_finite()) {
+        speed.seconds += seconds;
+        if let Some(own) = own_seconds {
             speed.own_impacts += impacts;
-            speed.own_seconds += 1e-9 * ns;
+            speed.own_seconds += own;
         }
     }
 

@@ -1,7 +1,7 @@
 //! The engines of a run, started.
 
-use contract::Oracle;
-use process::{Breakdown, Engine, Tolerance, Verdict, version};
+use contract::{Case, Oracle};
+use process::{Breakdown, Engine, Outcome, Tolerance, Verdict, version};
 
 use crate::gate::{known::Known, report};
 
@@ -70,7 +70,27 @@ impl Fleet {
     }
 }
 
+/// How long an answer took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Took {
+    /// How many impacts it has.
+    pub impacts: usize,
+    /// As it is seen from outside.
+    pub seconds: f64,
+    /// As the engine says itself.
+    pub own_seconds: Option<f64>,
+}
+
 impl Started {
+    /// How long the history took that it gave last to this case, as far as it is remembered.
+    pub fn took(&self, case: &Case) -> Option<Took> {
+        let answer = self.oracle.engine().remembered(case)?;
+        let Outcome::History(history) = &answer.outcome else { return None };
+        let own = answer.ns.filter(|ns| *ns > 0.0 && ns.is_finite());
+        let (impacts, seconds) = (history.impacts.len(), answer.elapsed.as_secs_f64());
+        Some(Took { impacts, seconds, own_seconds: own.map(|ns| 1e-9 * ns) })
+    }
+
     /// Whether its errors are what the manifest grants, and not what it claims.
     pub fn is_granted(&self) -> bool {
         !self.oracle.engine().welcome().claims

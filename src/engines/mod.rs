@@ -16,6 +16,6 @@ pub mod starter;
 mod table;
 
 pub use error::ManifestError;
-pub use fleet::{Fleet, Started};
+pub use fleet::{Fleet, Started, Took};
 pub use granted::Granted;
 pub use manifest::{Entry, Manifest};
