@@ -101,6 +101,10 @@ impl Class {
                 Self::Observable(observable),
                 Finding::Pair { disagreement, .. } | Finding::Refuted { disagreement, .. },
             ) => disagreement.observable == *observable,
+            // The law of the interval ratios has the name of the observable that it is about.
+            (Self::Observable(Observable::IntervalRatio), Finding::Law { breach, .. }) => {
+                breach.law == Law::IntervalRatio
+            }
             (Self::Law(law), Finding::Law { breach, .. }) => breach.law == *law,
             (Self::Breakdown(name), Finding::Broke { breakdown, .. }) => breakdown == name,
             _ => false,
@@ -176,5 +180,25 @@ impl fmt::Display for Known {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gate::laws::Breach;
+
+    /// One name is of an observable and of the law about it, and is known to fail as both.
+    #[test]
+    fn the_interval_ratio_is_known_as_an_observable_and_as_a_law() {
+        let broken = |law| {
+            let breach = Breach { law, impact: 9, how: String::new() };
+            Finding::Law { oracle: "mine".to_owned(), breach }
+        };
+        let known = Class::named("interval-ratio", |_| false).unwrap();
+        assert!(known.is_of(&broken(Law::IntervalRatio)));
+        assert!(!known.is_of(&broken(Law::TimeIsSum)));
+        let other = Class::named("interval", |_| false).unwrap();
+        assert!(!other.is_of(&broken(Law::IntervalRatio)));
     }
 }

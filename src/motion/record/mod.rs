@@ -13,6 +13,7 @@
 //! | numbers in rows or columns, CSV | none of these | `rows.rs`, `table.rs` |
 
 mod at2;
+mod cells;
 mod cosmos;
 mod csmip;
 mod error;

@@ -2,8 +2,8 @@
 
 use super::{
     RecordError, Units,
+    cells::{column, columns},
     error::shown,
-    table::{column, columns},
     text::{Numbered, Text, contains},
     units::{self, Named},
 };
