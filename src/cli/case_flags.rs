@@ -86,12 +86,7 @@ impl CaseFlags {
 
     /// The scene, if one is given, asked for `--model`.
     pub fn scene(&self) -> anyhow::Result<Option<Scene>> {
-        let Some(path) = &self.scene else { return Ok(None) };
-        let mut scene = read_scene(path)?;
-        if let Some(name) = self.model() {
-            scene.ask.model = panel::model_named(name)?;
-        }
-        Ok(Some(scene))
+        self.scene.as_ref().map(|path| read_scene_as(path, self.model())).transpose()
     }
 
     /// The case, listing up to `impacts` impacts.
@@ -112,6 +107,15 @@ impl CaseFlags {
         };
         Ok(fields.case()?)
     }
+}
+
+/// A scene file, asked for another model than its own if one is named.
+pub(super) fn read_scene_as(path: &Path, model: Option<&str>) -> anyhow::Result<Scene> {
+    let mut scene = read_scene(path)?;
+    if let Some(name) = model {
+        scene.ask.model = panel::model_named(name)?;
+    }
+    Ok(scene)
 }
 
 /// A scene file.

@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::{
     Status,
-    case_flags::read_scene,
+    case_flags::read_scene_as,
     numbers::number,
     output::{Format, note},
 };
@@ -67,11 +67,8 @@ struct Row {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let mut scene = read_scene(&arguments.scene)?;
-    if let Some(name) = &arguments.model {
-        scene.ask.model = panel::model_named(name)?;
-    }
-    let request = scene.on_any_motion(arguments.until, Termination::Exact)?;
+    let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
+    let request = scene.on_motion(arguments.until, Termination::Exact)?;
     let oracle = panel::stepper_on(&request.body, &request.motion);
     let declined = |decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = Response::on_motion(oracle.as_ref(), &request).map_err(declined)?;

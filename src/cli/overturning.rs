@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        criterion::{Crossing, Fate, crossings},
+        criterion::{Crossing, Crossings, crossings},
         response::Termination,
     },
     panel,
@@ -14,7 +14,7 @@ use serde::Serialize;
 
 use super::{
     Status,
-    case_flags::read_scene,
+    case_flags::read_scene_as,
     numbers::number,
     output::{Format, note},
 };
@@ -54,53 +54,47 @@ enum By {
 #[derive(Serialize)]
 struct Answer {
     title: String,
-    /// Where the block begins to overturn, the smallest scale first; `null` if it does not in the range.
-    overturning: Option<Row>,
-    /// Where some chattering begins to be incomplete; `null` if it does not in the range.
-    incomplete: Option<Row>,
-    /// Every change in the range.
-    overturning_changes: Vec<Row>,
-    incomplete_changes: Vec<Row>,
+    overturning: Changes,
+    incomplete: Changes,
     from: f64,
     to: f64,
 }
 
-#[derive(Serialize, Clone)]
+/// Where something begins to happen, and ceases to.
+#[derive(Serialize)]
+struct Changes {
+    /// The smallest scale from which it happens is between these; `null` where it does not begin in the range.
+    lower: Option<f64>,
+    upper: Option<f64>,
+    /// Whether that is proven.
+    certified: bool,
+    /// Whether it happens at the smallest scale of the range already: then it begins below.
+    happens_at_from: bool,
+    /// Every change in the range.
+    changes: Vec<Row>,
+}
+
+#[derive(Serialize)]
 struct Row {
     lower: f64,
     upper: f64,
-    /// Whether it is proven that the change is between the two.
-    certified: bool,
     /// Whether it happens above, or ceases to.
     happens_above: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { from, to, by: By::Scale, .. } = *arguments;
-    let mut scene = read_scene(&arguments.scene)?;
-    if let Some(name) = &arguments.model {
-        scene.ask.model = panel::model_named(name)?;
-    }
+    let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
     ensure!((1e-6..=1e6).contains(&from), Invalid::new("from", format!("{from:?}"), "1e-6 to 1e6"));
     ensure!(to > from && to <= 1e6, Invalid::new("to", format!("{to:?}"), "above --from, up to 1e6"));
-    let request = scene.on_any_motion(None, Termination::Exact)?;
+    let request = scene.on_motion(None, Termination::Exact)?;
     let oracle = panel::stepper_on(&request.body, &request.motion);
-    let changes = |fate| {
-        crossings(oracle.as_ref(), &request, fate, (from, to)).map_err(|why| anyhow!("{}: {why}", oracle.name()))
-    };
-    let rows = |crossings: Vec<Crossing>| -> Vec<Row> {
-        let row = |Crossing { lower, upper, happens_above }| Row { lower, upper, certified: false, happens_above };
-        crossings.into_iter().map(row).collect()
-    };
-    let (overturning_changes, incomplete_changes) =
-        (rows(changes(Fate::Overturned)?), rows(changes(Fate::Incomplete)?));
-    let first = |rows: &[Row]| rows.iter().find(|row| row.happens_above).cloned();
+    let Crossings { at_first, incomplete, overturned } =
+        crossings(oracle.as_ref(), &request, (from, to)).map_err(|why| anyhow!("{}: {why}", oracle.name()))?;
     let answer = Answer {
         title: scene.title.clone(),
-        overturning: first(&overturning_changes),
-        incomplete: first(&incomplete_changes),
-        overturning_changes,
-        incomplete_changes,
+        overturning: Changes::of(at_first.overturned, overturned),
+        incomplete: Changes::of(at_first.incomplete, incomplete),
         from,
         to,
     };
@@ -109,19 +103,33 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     Ok(Status::Well)
 }
 
+impl Changes {
+    fn of(happens_at_from: bool, crossings: Vec<Crossing>) -> Self {
+        let first = crossings.first().filter(|first| first.happens_above);
+        let row = |Crossing { lower, upper, happens_above }| Row { lower, upper, happens_above };
+        Self {
+            lower: first.map(|first| first.lower),
+            upper: first.map(|first| first.upper),
+            certified: false,
+            happens_at_from,
+            changes: crossings.into_iter().map(row).collect(),
+        }
+    }
+}
+
 fn text(answer: &Answer) -> String {
-    let Answer { title, overturning_changes, incomplete_changes, from, to, .. } = answer;
+    let Answer { title, overturning, incomplete, from, to } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
-    for (changes, begins, ceases) in [
-        (incomplete_changes, "some chattering is incomplete from", "all chattering is complete again from"),
-        (overturning_changes, "the block overturns from", "it does not overturn from"),
+    for (Changes { happens_at_from, changes, .. }, happens, does_not) in [
+        (incomplete, "some chattering is incomplete", "all chattering is complete"),
+        (overturning, "the block overturns", "the block does not overturn"),
     ] {
-        if changes.is_empty() {
-            lines.push(format!("  {begins}: no change between {from} and {to} times the motion"));
-        }
+        let said = |is: bool| if is { happens } else { does_not };
+        lines.push(format!("  at {from} times the motion {}", said(*happens_at_from)));
         for Row { upper, happens_above, .. } in changes {
-            lines.push(format!("  {} {upper} times the motion on", if *happens_above { begins } else { ceases }));
+            lines.push(format!("  from {upper} times on {}", said(*happens_above)));
         }
+        lines.push(format!("  up to {to} times"));
     }
     lines.join("\n")
 }

@@ -16,7 +16,7 @@ use serde::Serialize;
 use super::{
     Status,
     case_facts::CaseFacts,
-    case_flags::read_scene,
+    case_flags::read_scene_as,
     numbers::{count, number},
     output::{TableFormat, json, note, print, print_csv},
 };
@@ -190,10 +190,7 @@ impl Asked {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let mut scene = read_scene(&arguments.scene)?;
-    if let Some(name) = &arguments.model {
-        scene.ask.model = panel::model_named(name)?;
-    }
+    let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
     arguments.check()?;
     let asked = arguments.asked(&scene)?;
     let oracle = match &asked {
@@ -241,28 +238,16 @@ impl Row {
 
 impl Arguments {
     fn asked(&self, scene: &Scene) -> anyhow::Result<Asked> {
-        if let scene::Ground::Shaking(shaking) = &scene.ground {
-            if self.termination == Scheme::Chattering {
-                let allowed = "of a sinusoid under a block at rest only";
-                return Err(anyhow!(Invalid::new("termination", "chattering", allowed)).context(shaking.name));
-            }
-            // Of the other schemes none looks at the case.
-            let termination = self.velocity_or_exact()?;
-            if let Some(request) = scene.on_motion(self.until, termination)? {
-                return Ok(Asked::Motion(request));
-            }
+        if scene.sine().is_err() {
+            return Ok(Asked::Motion(scene.on_motion(self.until, self.termination(None)?)?));
         }
         let request = scene.response(self.until, Termination::Exact)?;
-        let termination = self.termination(&request.case)?.check()?;
+        let termination = self.termination(Some(&request.case))?.check()?;
         Ok(Asked::Sinusoid(Request { termination, ..request }))
     }
 
-    fn velocity_or_exact(&self) -> anyhow::Result<Termination> {
-        let nowhere = Case::from_amplitude(1.0, 1.0, 0.5)?;
-        self.termination(&nowhere)
-    }
-
-    fn termination(&self, case: &Case) -> anyhow::Result<Termination> {
+    /// That of a case; of none where the motion is no sinusoid under a block at rest.
+    fn termination(&self, case: Option<&Case>) -> anyhow::Result<Termination> {
         ensure!(
             self.velocity_threshold.is_none() || self.termination == Scheme::Velocity,
             Invalid::new(
@@ -279,6 +264,8 @@ impl Arguments {
         Ok(match self.termination {
             Scheme::Exact => Termination::Exact,
             Scheme::Chattering => {
+                let allowed = "of a sinusoid under a block at rest only";
+                let case = case.ok_or_else(|| Invalid::new("termination", "chattering", allowed))?;
                 let condition = match self.condition.unwrap_or(Fit::Eq76) {
                     Fit::Eq76 => Condition::Eq76,
                     Fit::Eq77 => Condition::Eq77,
@@ -336,10 +323,9 @@ fn document<'a>(
     let (case, motion) = match asked {
         Asked::Sinusoid(request) => (Some(CaseFacts::of(&request.case)), None),
         Asked::Motion(request) => {
-            let ground = if let scene::Ground::Shaking(shaking) = &scene.ground { shaking.name } else { "" };
             let duration = Some(request.motion.duration()).filter(|duration| duration.is_finite());
             let (eta, alpha) = (request.body.eta(), request.body.alpha());
-            (None, Some(MotionFacts { ground, eta, alpha, duration }))
+            (None, Some(MotionFacts { ground: scene.ground_name(), eta, alpha, duration }))
         }
     };
     let degrees = scene.block.slenderness.to_degrees();

@@ -2,7 +2,8 @@
 
 use std::io::{self, BufRead, Write};
 
-use contract::{Case, Ending, History, Impact, Model, Oracle};
+use contract::{Case, History, Impact, Model, Oracle};
+use process::ending_name;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -136,7 +137,7 @@ fn columns(history: &History) -> Columns {
         time: column(|impact| impact.time),
         interval: column(|impact| impact.interval),
         velocity: column(|impact| impact.velocity),
-        ending: ending(history.ending),
+        ending: ending_name(history.ending),
         tau_ch: history.chattering_time.map(|time| number(time.value)),
         claim: Claim {
             time: column(|impact| impact.uncertainty.time),
@@ -157,20 +158,9 @@ fn number(value: f64) -> Value {
     }
 }
 
-fn ending(ending: Ending) -> &'static str {
-    match ending {
-        Ending::NeverRocks => "never-rocks",
-        Ending::AtRest => "at-rest",
-        Ending::Incomplete => "incomplete",
-        Ending::Overturned => "overturned",
-        Ending::LimitReached(_) => "limit-reached",
-        Ending::Lost(_) => "lost",
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use contract::{Decline, Estimate, Uncertainty};
+    use contract::{Decline, Ending, Estimate, Uncertainty};
 
     use super::*;
 

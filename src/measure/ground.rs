@@ -50,7 +50,6 @@ pub fn next_push(motion: &Motion, from: f64) -> Option<Push> {
                     curvature: terms.iter().map(|term| (term.amplitude * term.omega * term.omega).abs()).sum(),
                     scale: terms.iter().map(|term| term.omega).fold(0.0, f64::max).recip(),
                 };
-                // Without end it is looked at for as long as it takes to come near all that it reaches.
                 let high = high.min(low + LONGEST * smooth.scale.min(1e12));
                 if let Some(push) = smooth.next(low, high) {
                     return Some(push);
@@ -118,8 +117,8 @@ pub fn fastest(motion: &Motion) -> f64 {
     }
 }
 
-/// How many times its shortest time scale a motion without end is searched for its next push: where it has not come above the threshold by then, it does not.
-const LONGEST: f64 = 1e4;
+/// For how many times its shortest time scale a motion without end is searched for its next push: for as long as it may be followed.
+const LONGEST: f64 = std::f64::consts::TAU * Motion::MOST_CYCLES;
 
 /// A smooth stretch of a motion.
 struct Smooth<'a> {

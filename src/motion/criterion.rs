@@ -66,13 +66,13 @@ fn misses(motion: &Motion, bout: &Bout) -> bool {
     ground::next_push(motion, gap).is_some_and(|Push { time, .. }| time < bout.end())
 }
 
-/// What may happen to a block that is shaken ever more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
-    /// Some chattering is incomplete: a gap is missed.
-    Incomplete,
+/// What happens to a block under a motion.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Fate {
+    /// Some chattering is incomplete: a gap is missed, or the block does not come to rest any more.
+    pub incomplete: bool,
     /// It overturns.
-    Overturned,
+    pub overturned: bool,
 }
 
 /// A scale of the motion between two neighbours of which it happens at one and not at the other.
@@ -86,47 +86,60 @@ pub struct Crossing {
     pub happens_above: bool,
 }
 
+/// Where between two scales of a motion something begins to happen, or ceases to.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Crossings {
+    /// What happens at the smallest scale.
+    pub at_first: Fate,
+    /// That some chattering is incomplete.
+    pub incomplete: Vec<Crossing>,
+    /// That the block overturns.
+    pub overturned: Vec<Crossing>,
+}
+
 /// In how many steps a range of scales is searched.
 const STEPS: usize = 400;
 /// A scale is narrowed down to this share of it.
 const NARROW: f64 = 4.0 * f64::EPSILON;
 
-/// Where between two scales of the motion it begins or ceases to happen: every change that shows at 400 scales in between, narrowed down to neighbouring doubles. By
-/// the responses themselves: it is not certified.
+/// Every change between two scales of the motion that shows at 400 of them, narrowed down to neighbouring doubles. By the responses themselves: it is not certified.
 ///
 /// # Errors
 /// When the oracle declines, or a scale is out of range.
-pub fn crossings(
-    oracle: &dyn Oracle,
-    request: &OnMotion,
-    fate: Fate,
-    (low, high): (f64, f64),
-) -> Result<Vec<Crossing>, CrossingError> {
-    let happens = |scale: f64| -> Result<bool, CrossingError> {
+pub fn crossings(oracle: &dyn Oracle, request: &OnMotion, (low, high): (f64, f64)) -> Result<Crossings, CrossingError> {
+    let fate = |scale: f64| -> Result<Fate, CrossingError> {
         let motion = Arc::new(request.motion.scaled(scale)?);
         let scaled = OnMotion { motion: Arc::clone(&motion), ..request.clone() };
-        let response = Response::once_on_motion(oracle, &scaled)?;
-        Ok(match fate {
-            Fate::Overturned => response.bouts.iter().any(|bout| bout.outcome == BoutEnd::Overturned),
-            Fate::Incomplete => response.bouts.iter().any(|bout| !bout.outcome.is_rest() || misses(&motion, bout)),
+        let bouts = Response::once_on_motion(oracle, &scaled)?.bouts;
+        let is_lost = |bout: &&Bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts);
+        if let Some(bout) = bouts.iter().find(is_lost) {
+            return Err(CrossingError::Lost { scale, ending: bout.outcome.name() });
+        }
+        Ok(Fate {
+            // A block that overturns has missed its gap too.
+            incomplete: bouts.iter().any(|bout| !bout.outcome.is_rest() || misses(&motion, bout)),
+            overturned: bouts.iter().any(|bout| bout.outcome == BoutEnd::Overturned),
         })
     };
+    let narrow = |lower: f64, upper: f64, happens: fn(Fate) -> bool, above: bool| -> Result<Crossing, CrossingError> {
+        let (mut lower, mut upper) = (lower, upper);
+        while upper - lower > NARROW * upper {
+            let middle = lower + 0.5 * (upper - lower);
+            if happens(fate(middle)?) == above { upper = middle } else { lower = middle }
+        }
+        Ok(Crossing { lower, upper, happens_above: above })
+    };
     let ratio = (high / low).powf(1.0 / STEPS as f64);
-    let mut found = Vec::new();
-    let (mut before, mut was) = (low, happens(low)?);
+    let (mut before, mut was) = (low, fate(low)?);
+    let mut found = Crossings { at_first: was, ..Crossings::default() };
     for step in 1..=STEPS {
         let scale = if step == STEPS { high } else { low * ratio.powf(step as f64) };
-        let is = happens(scale)?;
-        if is != was {
-            let (mut lower, mut upper) = (before, scale);
-            while upper - lower > NARROW * upper {
-                let middle = lower + 0.5 * (upper - lower);
-                if middle <= lower || middle >= upper {
-                    break;
-                }
-                if happens(middle)? == is { upper = middle } else { lower = middle }
-            }
-            found.push(Crossing { lower, upper, happens_above: is });
+        let is = fate(scale)?;
+        if is.incomplete != was.incomplete {
+            found.incomplete.push(narrow(before, scale, |fate| fate.incomplete, is.incomplete)?);
+        }
+        if is.overturned != was.overturned {
+            found.overturned.push(narrow(before, scale, |fate| fate.overturned, is.overturned)?);
         }
         (before, was) = (scale, is);
     }
@@ -139,6 +152,14 @@ pub enum CrossingError {
     /// A scale is out of range.
     #[error(transparent)]
     Invalid(#[from] Invalid),
+    /// The sequence was lost: that is no fate.
+    #[error("at {scale} times the motion the response ends with \"{ending}\", and nothing can be said")]
+    Lost {
+        /// At which scale.
+        scale: f64,
+        /// How.
+        ending: &'static str,
+    },
     /// The method declines.
     #[error("{0}")]
     Declined(Decline),

@@ -19,7 +19,7 @@ fn scene(eta: f64, rest: &str) -> Scene {
 }
 
 fn response(scene: &Scene) -> Response {
-    let request = scene.on_motion(None, Termination::Exact).unwrap().unwrap();
+    let request = scene.on_motion(None, Termination::Exact).unwrap();
     Response::on_motion(panel::stepper_on(&request.body, &request.motion).as_ref(), &request).unwrap()
 }
 
@@ -100,7 +100,7 @@ fn methods_agree_on_every_motion() {
         "sinusoids = [ { amplitude = { over-threshold = 0.9 }, frequency = { omega = 2 }, phase = 0.1 }, { amplitude = { over-threshold = 0.3 }, frequency = { omega = 5 } } ]\nduration = { tau = 12 }",
     ] {
         let scene = scene(0.6, &format!("[ground]\n{ground}\n"));
-        let request = scene.on_motion(None, Termination::Exact).unwrap().unwrap();
+        let request = scene.on_motion(None, Termination::Exact).unwrap();
         let (one, other) = (response(&scene), Response::on_motion(taylor.as_ref(), &request).unwrap());
         assert!(!one.bouts.is_empty() && one.bouts.len() == other.bouts.len(), "{ground}");
         for (bout, same) in one.bouts.iter().zip(&other.bouts) {

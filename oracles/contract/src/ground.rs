@@ -94,6 +94,8 @@ pub const RICKER_ANTISYMMETRIC_PEAK: f64 = 1.3801;
 impl Motion {
     /// The largest amplitude, and how far a record may be scaled.
     const MOST: f64 = 1e6;
+    /// No motion that ends lasts for more cycles of its fastest part.
+    pub const MOST_CYCLES: f64 = 1e4;
     /// As many terms or stretches as anybody writes down.
     const MOST_TERMS: usize = 1000;
     /// As many samples as a record may have.
@@ -168,6 +170,9 @@ impl Motion {
             for Sinusoid { amplitude, omega, phase } in terms {
                 Invalid::unless(amplitude.abs() <= Self::MOST, "amplitude", *amplitude, "-1e6 to 1e6 thresholds")?;
                 Invalid::unless((0.0..=1e9).contains(omega), "omega", *omega, "0 to 1e9")?;
+                if until.is_finite() {
+                    Self::check_cycles("duration", *until, *omega)?;
+                }
                 Invalid::unless(phase.abs() <= 1e5, "phase", *phase, "-1e5 to 1e5 (radians)")?;
             }
         }
@@ -183,7 +188,13 @@ impl Motion {
         Invalid::unless(amplitude.abs() <= Self::MOST, "amplitude", amplitude, "-1e6 to 1e6 thresholds")?;
         Invalid::unless((1e-9..=1e9).contains(&omega), "omega", omega, "1e-9 to 1e9")?;
         Invalid::unless(center > 0.0 && center <= 1e9, "center", center, "above 0, up to 1e9 (in τ)")?;
+        Self::check_cycles("center", center, 2.0 * omega)?;
         Ok(Self::Ricker(ricker))
+    }
+
+    fn check_cycles(field: &'static str, time: f64, omega: f64) -> Result<(), Invalid> {
+        let allowed = "up to 10000 cycles of the fastest part of the motion (in τ)";
+        Invalid::unless(time * omega <= TAU * Self::MOST_CYCLES, field, time, allowed).map(|_| ())
     }
 
     /// Samples `dt` apart, each times `scale`.

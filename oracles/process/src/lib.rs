@@ -63,3 +63,4 @@ pub use record::{Direction, Line, Sink};
 pub use verdict::{Breakdown, Verdict};
 pub use version::version;
 pub use welcome::Welcome;
+pub use words::ending_name;

@@ -18,6 +18,18 @@ pub fn normalisation(normalisation: Normalisation) -> &'static str {
     }
 }
 
+/// The name of an ending.
+pub fn ending_name(ending: Ending) -> &'static str {
+    match ending {
+        Ending::NeverRocks => "never-rocks",
+        Ending::AtRest => "at-rest",
+        Ending::Incomplete => "incomplete",
+        Ending::Overturned => "overturned",
+        Ending::LimitReached(_) => "limit-reached",
+        Ending::Lost(_) => "lost",
+    }
+}
+
 /// The ending of this name, of a history that lists all impacts asked for or fewer: that tells which limit was reached.
 pub fn ending(name: &str, all_listed: bool) -> Option<Ending> {
     Some(match name {
@@ -30,4 +42,23 @@ pub fn ending(name: &str, all_listed: bool) -> Option<Ending> {
         "lost" => Ending::Lost(Loss::SolverFailed),
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ending_is_known_by_its_name() {
+        for end in [
+            Ending::NeverRocks,
+            Ending::AtRest,
+            Ending::Incomplete,
+            Ending::Overturned,
+            Ending::LimitReached(Limit::Impacts),
+            Ending::Lost(Loss::SolverFailed),
+        ] {
+            assert_eq!(ending(ending_name(end), true), Some(end));
+        }
+    }
 }

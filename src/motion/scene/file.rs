@@ -41,7 +41,7 @@ pub const ALLOWED: [Allowed; 42] = [
     ("pulse", PULSES),
     ("center", TIMES),
     ("gamma", "a number, 1e-3 to 1e3"),
-    ("sinusoids", "a list of { amplitude = .., frequency = .., phase = .. }, 1 to 300 of them"),
+    ("sinusoids", "a list of { amplitude = .., frequency = .., phase = .. }, one at least"),
     ("record", RECORDS),
     ("file", "a text in quotes: the path of the record, from where the scene is"),
     ("units", UNITS),

@@ -6,7 +6,7 @@ use contract::{Invalid, Model, Motion, Ricker, Sinusoid, Stretch};
 use toml::Spanned;
 
 use super::{
-    Block, SceneError, Sine, Text,
+    Block, ROUNDING, SceneError, Text,
     file::{Amplitude, Duration, Frequency, GroundFields, PulseName, RecordFields, SineFields, Time},
 };
 use crate::motion::record::{self, Asked, Recorded, Step, Units};
@@ -25,22 +25,6 @@ pub struct Shaking {
     /// What a reader of its file should know.
     pub notes: Vec<String>,
 }
-
-impl Shaking {
-    /// `a sin(ωτ + phase)` until it ends; without a phase it starts at the threshold, growing, and one that stays below it at its peak.
-    pub(super) fn sine(amplitude: f64, omega: f64, phase: Option<f64>, until: f64) -> Result<Motion, Invalid> {
-        let phase = match phase {
-            Some(phase) => phase,
-            None if amplitude > 1.0 => (1.0 / amplitude).asin(),
-            None => std::f64::consts::FRAC_PI_2,
-        };
-        let terms = if amplitude > 0.0 { vec![Sinusoid { amplitude, omega, phase }] } else { Vec::new() };
-        Motion::sinusoids(vec![Stretch { until, terms }])
-    }
-}
-
-/// What the division by the threshold leaves of rounding.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// What is known when the ground is read.
 pub(super) struct Reader<'a> {
@@ -65,25 +49,6 @@ impl Reader<'_> {
             (None, None, Some(record)) => self.record(record, fields).map(Some),
             _ => Err(SceneError("[ground] is one of pulse, sinusoids or record, not more than one".to_owned())),
         }
-    }
-
-    /// A sinusoid as a motion that starts and may end: under a block that does not start from rest.
-    pub fn sine_in_motion(&self, sine: &Sine, fields: &GroundFields) -> Result<Shaking, SceneError> {
-        let span = fields.amplitude.as_ref().map_or(0..0, Spanned::span);
-        let amplitude = fields.amplitude.as_ref().map_or(Ok((0.0, 0.0)), |amplitude| self.amplitude(amplitude))?;
-        let (amplitude, rounding) = amplitude;
-        let omega = self.block.omega(sine.frequency);
-        let until = sine.duration.map_or(f64::INFINITY, |seconds| seconds * self.block.frequency_parameter());
-        let motion = Shaking::sine(amplitude, omega, sine.phase, until);
-        let motion = motion.map_err(|invalid| self.text.error(&span, invalid))?;
-        let over_slender = self.over_slender(fields.amplitude.iter());
-        Ok(Shaking {
-            name: "a sinusoid under a block that is in motion",
-            motion: Arc::new(motion),
-            rounding,
-            over_slender,
-            notes: Vec::new(),
-        })
     }
 
     fn pulse(&self, pulse: &Spanned<PulseName>, fields: &GroundFields) -> Result<Shaking, SceneError> {
@@ -152,7 +117,7 @@ impl Reader<'_> {
             rounding = rounding.max(off);
         }
         if terms.is_empty() {
-            return Err(self.text.error(&sinusoids.span(), "sinusoids: allowed is 1 to 300 of them"));
+            return Err(self.text.error(&sinusoids.span(), "sinusoids: allowed is one at least"));
         }
         let until = match &fields.duration {
             None => f64::INFINITY,
@@ -247,30 +212,12 @@ impl Reader<'_> {
     }
 
     /// In multiples of the threshold, and by how much that may be off, relative.
-    pub(super) fn amplitude(&self, amplitude: &Spanned<Amplitude>) -> Result<(f64, f64), SceneError> {
-        let (Amplitude::G(value)
-        | Amplitude::MPerS2(value)
-        | Amplitude::OverThreshold(value)
-        | Amplitude::OverSlenderThreshold(value)) = *amplitude.get_ref();
-        self.text.check("amplitude", value, &amplitude.span(), |value| (0.0..=1e6).contains(&value), "0 to 1e6")?;
-        Ok(match *amplitude.get_ref() {
-            Amplitude::G(value) => (value * self.block.gravity / self.threshold(), ROUNDING),
-            Amplitude::MPerS2(value) => (value / self.threshold(), ROUNDING),
-            Amplitude::OverThreshold(a) => (a, 0.0),
-            // The linear model has its own threshold, `g α`.
-            Amplitude::OverSlenderThreshold(a) if self.model == Model::Linear => (a, 0.0),
-            Amplitude::OverSlenderThreshold(a) => (a * self.block.slenderness / self.block.slenderness.tan(), ROUNDING),
-        })
+    fn amplitude(&self, amplitude: &Spanned<Amplitude>) -> Result<(f64, f64), SceneError> {
+        Ok(self.block.over_own_threshold(self.text.amplitude(amplitude)?, self.model))
     }
 
-    pub(super) fn omega(&self, frequency: &Spanned<Frequency>) -> Result<f64, SceneError> {
-        let (Frequency::Hz(value) | Frequency::Omega(value)) = *frequency.get_ref();
-        let positive = |value: f64| (1e-9..=1e9).contains(&value);
-        self.text.check("frequency", value, &frequency.span(), positive, "1e-9 to 1e9")?;
-        Ok(match *frequency.get_ref() {
-            Frequency::Omega(omega) => omega,
-            Frequency::Hz(hertz) => std::f64::consts::TAU * hertz / self.block.frequency_parameter(),
-        })
+    fn omega(&self, frequency: &Spanned<Frequency>) -> Result<f64, SceneError> {
+        Ok(self.block.omega(self.text.frequency(frequency)?))
     }
 
     fn time(&self, field: &'static str, time: &Spanned<Time>) -> Result<f64, SceneError> {
