@@ -53,11 +53,14 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Format::Text => text(&rows),
     });
     let wrong: Vec<&Row> = rows.iter().filter(|row| row.outcome == Outcome::Misnamed).collect();
+    for row in rows.iter().filter(|row| row.is_unnoticed()) {
+        note(format_args!("chattercheck: \"{}\" in {} is not noticed at all", row.fault, row.oracle));
+    }
     for row in &wrong {
         note(format_args!("chattercheck: \"{}\" in {} is taken for something else", row.fault, row.oracle));
     }
     note(format_args!("chattercheck: {}", in_short(&rows)));
-    let status = if wrong.is_empty() && are_most_named(&rows) { Status::Well } else { Status::Disagreed };
+    let status = if confusion::are_named(&rows) { Status::Well } else { Status::Disagreed };
     Ok(status.after(written.map_err(Into::into)))
 }
 
@@ -75,11 +78,6 @@ fn planted(fault: &Fault) -> anyhow::Result<Started> {
 fn counts(rows: &[Row]) -> [usize; 4] {
     let count = |outcome| rows.iter().filter(|row| row.outcome == outcome).count();
     [Outcome::Named, Outcome::AmongEquals, Outcome::Missed, Outcome::Misnamed].map(count)
-}
-
-fn are_most_named(rows: &[Row]) -> bool {
-    let [named, equal, missed, misnamed] = counts(rows);
-    9 * (missed + misnamed) <= named + equal
 }
 
 fn in_short(rows: &[Row]) -> String {

@@ -24,7 +24,7 @@ use clap::Args;
 use contract::{Case, Invalid, Model, Oracle};
 use tempfile::NamedTempFile;
 
-use super::{engine::sensitive, engine_profile::Clock, output::note};
+use super::{engine::sensitive, engine_profile::Clock, files::Target, output::note};
 
 #[derive(Args)]
 pub(super) struct EngineFlags {
@@ -77,11 +77,18 @@ impl EngineFlags {
         ("another file than that of --record", self.record.as_deref())
     }
 
-    /// The engines that are asked for.
+    /// The engines that are asked for, in a run that reads these files too.
     ///
     /// # Errors
-    /// When the manifest has something wrong in it, or an engine has the name of an oracle.
-    pub fn read(&self) -> anyhow::Result<Asked<'_>> {
+    /// When the manifest has something wrong in it, an engine has the name of an oracle, or the record would be written over a file that is read.
+    pub fn read(&self, read: &[&Path]) -> anyhow::Result<Asked<'_>> {
+        if let Some(record) = &self.record {
+            let target = Target::new(record)?;
+            let mut read = read.iter().copied().chain(self.engines.as_deref()).filter_map(Target::resolved);
+            if read.any(|path| target.is_at(&path)) {
+                return Err(Invalid::new("record", record.display(), READ).into());
+            }
+        }
         let Some(path) = &self.engines else {
             let (manifest, checksum) = (Path::new(""), String::new());
             return Ok(Asked { manifest, checksum, entries: Vec::new(), record: None });

@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let ours = env!("CARGO_PKG_VERSION");
         note(format_args!("{path} was written by version {version}; this is {ours}, whose oracles may differ"));
     }
-    let Some(mut engines) = arguments.engines.read()?.start()? else { return Ok(Status::Failed) };
+    let Some(mut engines) = arguments.engines.read(&[&arguments.file])?.start()? else { return Ok(Status::Failed) };
     engines.fleet.engines.retain(|engine| replay.oracles.contains(&engine.entry.launch.name));
     let of_panel: Vec<&str> =
         replay.oracles.iter().map(String::as_str).filter(|name| engines.fleet.engine(name).is_none()).collect();

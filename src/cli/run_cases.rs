@@ -56,6 +56,11 @@ impl RunCases {
         let selection = Selection { cases: self.cases, seed: self.seed.value()? };
         Ok(Chosen::new(selection, own(&self.case_file)?))
     }
+
+    /// The case files that are read.
+    pub fn files(&self) -> Vec<&Path> {
+        self.case_file.iter().map(PathBuf::as_path).collect()
+    }
 }
 
 impl Chosen {

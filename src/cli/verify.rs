@@ -78,7 +78,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
-    let engines = arguments.engines.read()?;
+    let engines = arguments.engines.read(&arguments.cases.files())?;
     let panel = match &arguments.oracles {
         Some(list) => panel::select(list)?,
         None if engines.is_empty() => panel::default(),

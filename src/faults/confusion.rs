@@ -79,6 +79,21 @@ pub enum Outcome {
     NothingWrong,
 }
 
+impl Row {
+    /// Whether nothing shows that the engine has the fault: no answer is wrong, and it neither refuses, nor breaks, nor leaves open how the block ends.
+    pub fn is_unnoticed(&self) -> bool {
+        let leaves_open = ["never at rest", "overturned at phi = 1"].contains(&self.fault);
+        self.outcome == Outcome::NothingWrong && self.declined == 0 && self.broke == 0 && !leaves_open
+    }
+}
+
+/// Whether the faults are named as they have to be: of those that make an answer wrong nine in ten, none of them as another, and none goes unnoticed.
+pub fn are_named(rows: &[Row]) -> bool {
+    let count = |outcome: Outcome| rows.iter().filter(|row| row.outcome == outcome).count();
+    let named = count(Outcome::Named) + count(Outcome::AmongEquals);
+    9 * count(Outcome::Missed) <= named && count(Outcome::Misnamed) == 0 && !rows.iter().any(Row::is_unnoticed)
+}
+
 impl Outcome {
     fn of(fault: &str, wrong: usize, found: &[Explanation]) -> Self {
         match found {

@@ -66,11 +66,12 @@ pub fn next_push(motion: &Motion, from: f64) -> Option<Push> {
     }
 }
 
-/// When after `from`, or at it, the ground holds a resting block down again, `|f| <= 1`; `None` if it does so at no time before the motion ends, where it does.
-pub fn next_gap(motion: &Motion, from: f64) -> Option<f64> {
-    let end = motion.duration();
+/// When after `from`, where the ground pushes, it holds a resting block down again, `|f| <= 1`; `None` if it does so at no time up to `until`.
+pub fn next_gap(motion: &Motion, from: f64, until: f64) -> Option<f64> {
+    let end = motion.duration().min(until);
     let above = |tau: f64| acceleration(motion, tau).abs() > 1.0;
-    // Just after a push the threshold itself may be rounded to either side.
+    // What lasts less than a fiftieth of the fastest part of the motion, or a quarter of a sample, is no gap that impacts accumulate in. And just after a push the
+    // threshold itself may be rounded to either side: that much of a step is passed over.
     let step = match motion {
         Motion::Record(record) => 0.25 * record.dt,
         Motion::Sinusoids(_) | Motion::Ricker(_) => 0.02 / fastest(motion).max(1e-9),
@@ -91,7 +92,7 @@ pub fn next_gap(motion: &Motion, from: f64) -> Option<f64> {
         }
         low = high;
     }
-    Some(end).filter(|end| end.is_finite())
+    (motion.duration() <= until).then_some(end)
 }
 
 /// A bound on `|f|`.

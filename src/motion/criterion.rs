@@ -62,7 +62,7 @@ pub fn criteria(oracle: &dyn Oracle, request: &OnMotion, response: &Response) ->
 
 /// Whether the ground pushed again after the first gap of a bout, before the block was at rest.
 fn misses(motion: &Motion, bout: &Bout) -> bool {
-    let Some(gap) = ground::next_gap(motion, bout.begin()) else { return false };
+    let Some(gap) = ground::next_gap(motion, bout.begin(), bout.end()) else { return false };
     ground::next_push(motion, gap).is_some_and(|Push { time, .. }| time < bout.end())
 }
 

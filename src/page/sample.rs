@@ -1,4 +1,4 @@
-//! Which cases a page shows, where there are too many to show all: those that are wrong or broke an engine, up to [`MOST_WRONG`]; of the others, evenly
+//! Which cases a page shows, where there are too many to show all: the first that are wrong or broke an engine, up to [`MOST_WRONG`]; of the others, evenly
 //! spaced over the run, up to [`MOST_OTHERS`] of each fate.
 
 use std::collections::BTreeMap;
@@ -106,7 +106,12 @@ impl<'a> Sample<'a> {
             let kind = Fates::from(&fate);
             let Some((taken, all)) = counts.get_mut(&kind) else { continue };
             let met = met.entry(kind).or_default();
-            if is_taken(*met, *all, kind.most()) {
+            let is_shown = match kind {
+                // Of what is wrong the first, of which a run keeps the impacts.
+                Fates::Wrong | Fates::Broke => *met < kind.most(),
+                _ => is_taken(*met, *all, kind.most()),
+            };
+            if is_shown {
                 *taken += 1;
                 shown.push(Shown { case, fate, place });
             }

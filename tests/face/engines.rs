@@ -328,6 +328,10 @@ fn an_engine_that_does_not_start_leaves_no_verdict() {
         ("--only mien", "there is no engine \"mien\" in it"),
         ("--engines none.toml", "none.toml: cannot be read"),
         ("--record -", "record = - is outside the allowed range: a file"),
+        (
+            "--record ./engines.toml",
+            "record = ./engines.toml is outside the allowed range: another file than the one that is read",
+        ),
     ] {
         let arguments = format!(
             "verify --quiet --cases 0 {} {arguments}",

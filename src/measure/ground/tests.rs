@@ -79,3 +79,20 @@ fn the_next_push_is_where_the_threshold_is_first_passed() {
     let push = next_push(&sine(1.0 + 1e-9), 0.0).unwrap();
     assert!((push.time - (1.0_f64 / (1.0 + 1e-9)).asin() / 2.0).abs() < 1e-9 && push.side == -1.0);
 }
+
+/// A sine that has passed the threshold comes back to it after `(π - 2 asin(1/a))/ω`; a motion that stays above it has no gap before it ends.
+#[test]
+fn the_next_gap_is_where_the_ground_holds_the_block_again() {
+    let (a, omega) = (1.3, 2.0);
+    let motion = Motion::one_sine(a, omega).unwrap();
+    let push = next_push(&motion, 0.0).unwrap().time;
+    let expected = (std::f64::consts::PI - (1.0_f64 / a).asin()) / omega;
+    assert!((next_gap(&motion, push, 10.0).unwrap() - expected).abs() < 1e-14);
+    assert_eq!(next_gap(&motion, push, 0.5 * (push + expected)), None);
+    let constant = |until: f64| {
+        let terms = vec![Sinusoid { amplitude: 2.0, omega: 0.0, phase: std::f64::consts::FRAC_PI_2 }];
+        Motion::sinusoids(vec![Stretch { until, terms }]).unwrap()
+    };
+    assert_eq!(next_gap(&constant(3.0), 0.0, 10.0), Some(3.0));
+    assert_eq!(next_gap(&constant(f64::INFINITY), 0.0, 10.0), None);
+}
