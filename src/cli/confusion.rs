@@ -8,13 +8,13 @@ use chattercheck::{
     },
     gate::explanation::Explanation,
 };
-use clap::{Args, ValueEnum};
-use comfy_table::{Table, presets};
+use clap::Args;
 
 use super::{
     Status,
     engine::sensitive,
     output::{note, print},
+    rows::Format,
     seed::Seed,
 };
 
@@ -26,13 +26,6 @@ pub(super) struct Arguments {
     format: Format,
     #[command(flatten)]
     seed: Seed,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Markdown,
-    Json,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
@@ -47,11 +40,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let written = print(&match arguments.format {
-        Format::Json => serde_json::to_string_pretty(&rows)? + "\n",
-        Format::Markdown => markdown(&rows),
-        Format::Text => text(&rows),
-    });
+    let mut text = arguments.format.rows(HEAD, &rows, cells)?;
+    if arguments.format == Format::Markdown {
+        text += &format!("\n{}.\n", in_short(&rows));
+    }
+    let written = print(&text);
     let wrong: Vec<&Row> = rows.iter().filter(|row| row.outcome == Outcome::Misnamed).collect();
     for row in rows.iter().filter(|row| row.is_unnoticed()) {
         note(format_args!("chattercheck: \"{}\" in {} is not noticed at all", row.fault, row.oracle));
@@ -105,22 +98,4 @@ fn cells(row: &Row) -> [String; 6] {
     let left = row.found.first().map_or_else(String::new, |first| format!("{:.0e}", first.left));
     let names: Vec<String> = row.found.iter().map(name).collect();
     [row.fault.to_owned(), row.oracle.clone(), wrong, row.outcome.says().to_owned(), names.join("; "), left]
-}
-
-fn markdown(rows: &[Row]) -> String {
-    let mut out = format!("| {} |\n| {} |\n", HEAD.join(" | "), HEAD.map(|_| "---").join(" | "));
-    for row in rows {
-        out += &format!("| {} |\n", cells(row).map(|cell| cell.replace('|', "\\|")).join(" | "));
-    }
-    out + "\n" + &in_short(rows) + ".\n"
-}
-
-fn text(rows: &[Row]) -> String {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    table.set_header(HEAD);
-    for row in rows {
-        table.add_row(cells(row));
-    }
-    format!("{table}\n")
 }

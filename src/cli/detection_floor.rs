@@ -6,12 +6,12 @@ use chattercheck::{
     },
     panel,
 };
-use clap::{Args, ValueEnum};
-use comfy_table::{Table, presets};
+use clap::Args;
 
 use super::{
     Status,
     output::{note, print},
+    rows::Format,
     seed::Seed,
 };
 
@@ -25,24 +25,13 @@ pub(super) struct Arguments {
     seed: Seed,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    Text,
-    Markdown,
-    Json,
-}
-
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let trial = Trial::new(panel::default(), arguments.seed.value()?);
     let faults = catalogue(trial.oracles());
     let bar = indicatif::ProgressBar::new(faults.len() as u64);
     let rows = floor::table(&trial, &faults, || bar.inc(1))?;
     bar.finish_and_clear();
-    let written = print(&match arguments.format {
-        Format::Json => serde_json::to_string_pretty(&rows)? + "\n",
-        Format::Markdown => markdown(&rows),
-        Format::Text => text(&rows),
-    });
+    let written = print(&arguments.format.rows(HEAD, &rows, cells)?);
     let escaped: Vec<&Row> = rows.iter().filter(|row| row.escapes()).collect();
     for row in &escaped {
         note(format_args!("chattercheck: the gate stays green with \"{}\" in {}", row.fault, row.oracle));
@@ -73,22 +62,4 @@ fn cells(row: &Row) -> [String; 6] {
 /// Two digits: the floor is not known better.
 fn number(size: f64) -> String {
     if (0.01..100.0).contains(&size) { format!("{:.2}", size) } else { format!("{size:.1e}") }
-}
-
-fn markdown(rows: &[Row]) -> String {
-    let mut out = format!("| {} |\n| {} |\n", HEAD.join(" | "), HEAD.map(|_| "---").join(" | "));
-    for row in rows {
-        out += &format!("| {} |\n", cells(row).map(|cell| cell.replace('|', "\\|")).join(" | "));
-    }
-    out
-}
-
-fn text(rows: &[Row]) -> String {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    table.set_header(HEAD);
-    for row in rows {
-        table.add_row(cells(row));
-    }
-    format!("{table}\n")
 }

@@ -32,6 +32,7 @@ mod reference;
 mod replay;
 mod report_files;
 mod response;
+mod rows;
 mod run_cases;
 mod scene;
 mod seed;

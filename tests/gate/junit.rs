@@ -2,12 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use chattercheck::{
-    cases::generate::{Generator, Named},
-    gate::{
-        outcome::Outcomes,
-        report::{self, FailedCase},
-    },
+use chattercheck::gate::{
+    outcome::Outcomes,
+    report::{self, FailedCase},
 };
 use roxmltree::{Document, Node};
 
@@ -116,17 +113,12 @@ fn hostile_names_stay_names() {
 fn a_file_of_many_cases_is_read_by_gitlab() {
     const CASES: usize = 150_000;
     const FAILED: usize = 60_000;
-    let Mixed { mut report, cases, .. } = mixed("mine");
-    let wrong = report.failures.iter().find(|failure| !failure.is_breakdown()).unwrap().clone();
-    let case = cases[0].case;
-    let cases: Vec<Named> =
-        (0..CASES).map(|n| Named { generator: Generator::Random, name: n.to_string(), case }).collect();
-    let failed = |n: usize| FailedCase {
+    let as_failed = |n: usize, wrong: FailedCase| FailedCase {
         name: format!("random/{}", n * 2),
         see: vec![HOSTILE.repeat(if n == 0 { 1000 } else { 5 })],
-        ..wrong.clone()
+        ..wrong
     };
-    report.failures = (0..FAILED).map(failed).collect();
+    let Mixed { mut report, cases, .. } = mixed("mine").many(CASES, FAILED, as_failed);
     report.engines.clear();
     let xml = report::junit(&report, &cases, &Outcomes::default()).unwrap();
     assert!(xml.len() < report::LARGEST_JUNIT, "{} bytes", xml.len());

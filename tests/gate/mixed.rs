@@ -1,12 +1,12 @@
 //! A run with an engine that is right, wrong, breaks, declines, and fails as is known: what the reports that list cases are tested with.
 
 use chattercheck::{
-    cases::generate::Named,
+    cases::generate::{Generator, Named},
     gate::{
         judge::Judges,
         known::{Class, Known, Regime},
         outcome::Outcomes,
-        report::{Engine, Granted, Report},
+        report::{Engine, FailedCase, Granted, Report},
         roles::Roles,
         run::{self, Selection},
     },
@@ -106,4 +106,16 @@ pub fn mixed(name: &str) -> Mixed {
     let roles = Roles { may_decline: &|_| 1.0, ..panel::roles() };
     let report = Report::new(&run, &roles).with_engines(vec![engine], &run.tally);
     Mixed { report, cases, outcomes: run.outcomes }
+}
+
+impl Mixed {
+    /// The same report on so many random cases of which so many failed: what one of these ten did, changed by `as_failed` for each.
+    pub fn many(mut self, cases: usize, failed: usize, as_failed: impl Fn(usize, FailedCase) -> FailedCase) -> Self {
+        let wrong = self.report.failures.iter().find(|failure| !failure.is_breakdown()).unwrap().clone();
+        let case = self.cases[0].case;
+        let random = |n: usize| Named { generator: Generator::Random, name: n.to_string(), case };
+        self.cases = (0..cases).map(random).collect();
+        self.report.failures = (0..failed).map(|n| as_failed(n, wrong.clone())).collect();
+        self
+    }
 }

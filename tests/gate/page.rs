@@ -1,7 +1,6 @@
 //! The report as one HTML file. That it works in a browser is seen by `tests/browser`.
 
 use chattercheck::{
-    cases::generate::{Generator, Named},
     gate::{outcome::Outcomes, report::FailedCase},
     page,
 };
@@ -62,18 +61,13 @@ fn the_same_run_gives_the_same_page() {
 fn the_page_of_many_cases_is_read_by_a_browser() {
     const CASES: usize = 100_000;
     const FAILED: usize = 30_000;
-    let Mixed { mut report, cases, .. } = mixed("mine");
-    let wrong = report.failures.iter().find(|failure| !failure.is_breakdown()).unwrap().clone();
-    let case = cases[0].case;
-    let cases: Vec<Named> =
-        (0..CASES).map(|n| Named { generator: Generator::Random, name: n.to_string(), case }).collect();
-    let failed = |n: usize| FailedCase {
+    let as_failed = |n: usize, wrong: FailedCase| FailedCase {
         name: format!("random/{}", n * 3),
         // As a run keeps them.
         partings: if n < 200 { wrong.partings.clone() } else { Vec::new() },
-        ..wrong.clone()
+        ..wrong
     };
-    report.failures = (0..FAILED).map(failed).collect();
+    let Mixed { report, cases, .. } = mixed("mine").many(CASES, FAILED, as_failed);
     let page = page::html(&report, &cases, &Outcomes::default(), None);
     assert!(page.len() < 10_000_000, "{} bytes", page.len());
     for words in [

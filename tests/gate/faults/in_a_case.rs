@@ -1,105 +1,6 @@
-//! The gate is tested by planting faults in one oracle: each must turn it red, and the report must name the oracle, the observable and the
-//! first impact at which it shows.
+//! Faults that are seen in single cases: the report names the oracle, the observable or the law, and the first impact.
 
-use std::sync::OnceLock;
-
-use chattercheck::{
-    cases::generate::{Generator, Named},
-    faults::remember::Remembering,
-    gate::{
-        finding::Finding,
-        judge::Judges,
-        ladder::{self, Ladder},
-        laws::Law,
-        report::Report,
-        run,
-        shortfall::Shortfall,
-    },
-    measure::observables::Observable,
-    panel,
-};
-use contract::{Case, Decline, Ending, Estimate, History, Loss, Model, Normalisation, Oracle, Slenderness};
-
-/// An oracle with something wrong: what it is asked or what it answers is tampered with.
-struct Faulty<'a> {
-    inner: &'a dyn Oracle,
-    ask: fn(&Case) -> Case,
-    answer: fn(&Case, &mut History),
-}
-
-impl Oracle for Faulty<'_> {
-    fn name(&self) -> &str {
-        self.inner.name()
-    }
-
-    fn model(&self) -> Model {
-        self.inner.model()
-    }
-
-    fn history(&self, case: &Case) -> Result<History, Decline> {
-        let mut history = self.inner.history(&(self.ask)(case))?;
-        (self.answer)(case, &mut history);
-        Ok(history)
-    }
-}
-
-const CLOSED: &str = "closed-form";
-const ODE: &str = "ode/linear/tsit45";
-const NONLINEAR: &str = "ode/nonlinear/tsit45";
-const TAYLOR: &str = "taylor";
-const SERIES: &str = "asymptotic/paper";
-
-fn same(case: &Case) -> Case {
-    *case
-}
-
-fn untouched(_: &Case, _: &mut History) {}
-
-fn with(case: &Case, epsilon: f64, omega: f64, eta: f64) -> Case {
-    let new = Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(case.max_impacts()).unwrap();
-    let new = new.with_horizon(case.horizon()).unwrap();
-    case.slenderness().map_or(new, |slenderness| new.with_slenderness(slenderness))
-}
-
-/// The cases that faults are looked for in: few, of every kind.
-fn cases() -> &'static [Named] {
-    static CASES: OnceLock<Vec<Named>> = OnceLock::new();
-    CASES.get_or_init(|| {
-        let stepper = panel::stepper();
-        let of = |generator: Generator, every: usize| {
-            generator.cases(11, 60, stepper.as_ref()).into_iter().step_by(every).collect::<Vec<_>>()
-        };
-        [of(Generator::List, 1), of(Generator::Spaced, 5), of(Generator::Random, 1)].concat()
-    })
-}
-
-/// The panel that faults are planted in: one oracle of each kind. What the honest ones answered is kept from test to test.
-fn honest() -> &'static [Remembering] {
-    static HONEST: OnceLock<Vec<Remembering>> = OnceLock::new();
-    HONEST.get_or_init(|| {
-        let panel = panel::select(&[CLOSED, ODE, NONLINEAR, TAYLOR, SERIES].join(",")).unwrap();
-        panel.into_iter().map(Remembering::new).collect()
-    })
-}
-
-fn run(panel: &[&dyn Oracle]) -> Report {
-    let ladders = ladder::descend(panel, panel::SERIES).unwrap();
-    Report::new(&run::run(panel, &Judges::default(), cases(), 11, Some(ladders), &()), &panel::roles())
-}
-
-fn planted(name: &str, ask: fn(&Case) -> Case, answer: fn(&Case, &mut History)) -> Report {
-    let place = honest().iter().position(|oracle| oracle.name() == name).unwrap();
-    let faulty = Faulty { inner: &honest()[place], ask, answer };
-    let mut panel: Vec<&dyn Oracle> = honest().iter().map(|oracle| oracle as &dyn Oracle).collect();
-    panel[place] = &faulty;
-    run(&panel)
-}
-
-/// The findings reported for one listed case.
-fn findings_in<'a>(report: &'a Report, case: &str) -> Vec<&'a Finding> {
-    let failed = report.failures.iter().filter(|failure| failure.name == case);
-    failed.flat_map(|failure| &failure.findings).collect()
-}
+use super::*;
 
 /// The gate is red, every finding in the reference case is about `name`, and the pair with `other` shows `observable` first at `impact`.
 fn caught(report: &Report, name: &str, other: &str, observable: Observable, impact: usize) {
@@ -118,11 +19,6 @@ fn caught(report: &Report, name: &str, other: &str, observable: Observable, impa
     assert!(found, "no {observable} at impact {impact} against {other}: {findings:#?}");
 }
 
-/// The run as a whole is red, and the reason is `of_this_kind`.
-fn falls_short(report: &Report, of_this_kind: impl Fn(&Shortfall) -> bool) {
-    assert!(!report.passes() && report.shortfalls.iter().any(of_this_kind), "{:?}", report.shortfalls);
-}
-
 fn breaks(report: &Report, name: &str, law: Law, impact: usize) {
     assert!(!report.passes(), "the gate stayed green");
     let findings = findings_in(report, "list/fig-2");
@@ -130,12 +26,6 @@ fn breaks(report: &Report, name: &str, law: Law, impact: usize) {
         matches!(finding, Finding::Law { oracle, breach } if oracle == name && breach.law == law && breach.impact == impact)
     });
     assert!(found, "{law:?} at impact {impact} is not named: {findings:#?}");
-}
-
-#[test]
-fn without_a_fault_the_gate_is_green() {
-    let report = run(&honest().iter().map(|oracle| oracle as &dyn Oracle).collect::<Vec<_>>());
-    assert!(report.passes(), "{}", chattercheck::gate::report::text(&report));
 }
 
 #[test]
@@ -363,52 +253,6 @@ fn a_claim_that_is_too_small() {
 }
 
 #[test]
-fn a_claim_of_nothing() {
-    let answer = |_: &Case, history: &mut History| {
-        for impact in &mut history.impacts {
-            impact.uncertainty.interval = f64::INFINITY;
-            impact.uncertainty.velocity = f64::INFINITY;
-            impact.uncertainty.time = f64::INFINITY;
-        }
-    };
-    let report = planted(ODE, same, answer);
-    assert!(!report.passes());
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::InNameOnly { times: false, .. }));
-}
-
-#[test]
-fn a_claim_of_nothing_for_the_velocity_alone() {
-    let answer = |_: &Case, history: &mut History| {
-        for impact in &mut history.impacts {
-            impact.velocity *= 1.5;
-            impact.uncertainty.velocity = f64::INFINITY;
-        }
-    };
-    let report = planted(ODE, same, answer);
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::InNameOnly { times: false, .. }));
-}
-
-#[test]
-fn a_chattering_time_that_claims_nothing() {
-    let answer = |_: &Case, history: &mut History| {
-        history.chattering_time = Some(Estimate { value: 42.0, uncertainty: f64::INFINITY });
-    };
-    let report = planted(ODE, same, answer);
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::InNameOnly { times: true, .. }));
-}
-
-#[test]
-fn never_saying_that_the_block_comes_to_rest() {
-    let answer = |_: &Case, history: &mut History| {
-        if history.ending == Ending::AtRest {
-            history.ending = Ending::LimitReached(contract::Limit::Impacts);
-        }
-    };
-    let report = planted(ODE, same, answer);
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::NoChatteringTime { .. }));
-}
-
-#[test]
 fn rest_declared_wherever_the_list_ends() {
     // Short lists of incomplete cases: the others do not know yet.
     let ask = |case: &Case| *case;
@@ -447,13 +291,6 @@ fn incomplete_chattering_called_overturned() {
 }
 
 #[test]
-fn declining_a_fifth_of_the_cases() {
-    let ask = |case: &Case| if case.eta() > 0.9 { with(case, 1e-70, case.omega(), case.eta()) } else { *case };
-    let report = planted(CLOSED, ask, untouched);
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::Declined { oracle, .. } if oracle == CLOSED));
-}
-
-#[test]
 fn a_loss_is_red() {
     let answer = |_: &Case, history: &mut History| {
         if history.impacts.len() > 30 {
@@ -472,41 +309,4 @@ fn a_panic_is_red_and_does_not_take_the_run_with_it() {
     let report = planted(ODE, same, answer);
     std::panic::set_hook(hook);
     breaks(&report, ODE, Law::Answers, 0);
-}
-
-#[test]
-fn an_oracle_that_declines_everything_is_red() {
-    struct Idle;
-    impl Oracle for Idle {
-        fn name(&self) -> &str {
-            "idle"
-        }
-        fn model(&self) -> Model {
-            Model::Linear
-        }
-        fn history(&self, _: &Case) -> Result<History, Decline> {
-            Err(Decline::Unsupported { what: "anything" })
-        }
-    }
-    let mut panel: Vec<&dyn Oracle> = honest().iter().map(|oracle| oracle as &dyn Oracle).collect();
-    panel.push(&Idle);
-    let report = run(&panel);
-    assert!(report.failures.is_empty() && !report.passes());
-    falls_short(&report, |shortfall| matches!(shortfall, Shortfall::Silent { oracle } if oracle == "idle"));
-}
-
-#[test]
-fn the_order_in_alpha_is_checked() {
-    // A nonlinear oracle whose slenderness is off by a part in ten at small angles still stays within the gap, but not on the ladder.
-    let ask = |case: &Case| match case.slenderness() {
-        Some(s) if s.alpha() < 0.03 => {
-            case.with_slenderness(Slenderness::new(s.alpha() * 1.2, Normalisation::Threshold).unwrap())
-        }
-        _ => *case,
-    };
-    let report = planted(NONLINEAR, ask, untouched);
-    falls_short(
-        &report,
-        |shortfall| matches!(shortfall, Shortfall::Crooked { descent } if descent.ladder == Ladder::Alpha),
-    );
 }
