@@ -11,6 +11,7 @@ def closed(case, history):
     left = (times[-1] - times[-3]) * case.eta**2 / (1.0 - case.eta**2)
     angle, r = case.omega * times[-1], math.sqrt(case.epsilon * (2.0 + case.epsilon))
     f, slope = math.cos(angle) + r * math.sin(angle), case.omega * (r * math.cos(angle) - math.sin(angle))
+    # A tenth: what the pull may change by while the rest of a geometric series runs out, as in the starters of `chattercheck engine new`.
     if left * abs(slope) < 0.1 * min(1.0 + f, 1.0 - f):
         history.ending = "at-rest"
     return history

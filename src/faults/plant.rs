@@ -85,6 +85,7 @@ fn claimed(mut history: History, honest: &History) -> History {
         }
     }
     if let Some(time) = &mut history.chattering_time {
+        // As an honest oracle claims it in doubles: some tens of roundings.
         time.uncertainty = 1e-14 * time.value;
     }
     history

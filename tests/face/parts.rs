@@ -240,7 +240,7 @@ fn names(folder: &Path) -> Vec<PathBuf> {
     fs::read_dir(folder).map(|all| all.map(|entry| entry.unwrap().path()).collect()).unwrap_or_default()
 }
 
-/// Killed at any time, it leaves nothing under the name of a part, or a whole one.
+/// Killed while it runs, it leaves nothing under the name of a part. That a file is never half there is for the tests of `stored` to see.
 #[test]
 fn what_is_killed_leaves_no_half_part() {
     let folder = tempfile::tempdir().unwrap();

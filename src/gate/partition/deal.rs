@@ -57,8 +57,8 @@ impl PartialEq for Load {
 
 impl Eq for Load {}
 
-/// About how long the default panel takes for a case, and the judge where it is asked, in the time that the panel takes for an impact. Fitted to what the cases of
-/// a run took: the judge needs ever more digits towards the critical amplitude, and ever more impacts where an impact takes hardly anything away.
+/// About how long the default panel takes for a case, and the judge where it is asked, in the time that the panel takes for an impact. The
+/// weights are rough, from what the cases of one run took, and only how evenly parts are dealt depends on them: the judge needs ever more digits towards the critical amplitude, and ever more impacts where an impact takes hardly anything away.
 pub fn cost_of_case(named: &Named, is_judged: bool) -> f64 {
     let case = &named.case;
     let impacts = case.max_impacts() as f64;

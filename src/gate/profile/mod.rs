@@ -26,7 +26,7 @@ pub use sides::{Counts, Side, Sides};
 pub struct Profile {
     /// How many answers were held against what is proven...
     pub proven: usize,
-    /// ...and how many against the sound oracle of the panel beside it.
+    /// ...and how many against the first oracle of the panel beside it that solves the same equation.
     pub stepped: usize,
     /// In how many of them nothing is wrong.
     pub right: usize,

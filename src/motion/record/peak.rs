@@ -2,10 +2,13 @@
 
 use super::Units;
 
+/// The samples are rounded as well as what the header says of them: three digits of a number are as few as a format keeps.
+const ROUNDED: f64 = 2e-3;
+
 /// A note where the peak that a header says, to its last digit `digit`, is not that of the samples.
 pub fn differs(said: f64, digit: f64, line: usize, samples: &[f64]) -> Option<String> {
     let found = largest(samples, 0.0);
-    let differs = said.is_finite() && said != 0.0 && (said.abs() - found).abs() > digit + 2e-3 * found;
+    let differs = said.is_finite() && said != 0.0 && (said.abs() - found).abs() > digit + ROUNDED * found;
     differs.then(|| format!("line {line} says that the peak is {}, but the largest sample is {found}", said.abs()))
 }
 
