@@ -145,6 +145,19 @@ impl Asked<'_> {
     }
 }
 
+/// Hands `then` what the gate has to be told of the panel and of these engines of a manifest: the same for a run and for its parts put together.
+pub(super) fn with_roles<T>(engines: &[EngineAsked], manifest: &str, then: impl FnOnce(&Roles<'_>) -> T) -> T {
+    let engine = |name: &str| engines.iter().find(|asked| asked.engine.name == name);
+    let may_decline =
+        |oracle: &str| engine(oracle).map_or_else(|| panel::may_decline(oracle), |asked| asked.may_decline);
+    let granted = |oracle: &str| engine(oracle).is_some_and(|asked| !asked.engine.claims);
+    let shown_by = |oracle: &str, flags: &str| match engine(oracle) {
+        Some(_) => format!("chattercheck engine ask {oracle} --engines {manifest} {flags}"),
+        None => panel::shown_by(oracle, flags),
+    };
+    then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
+}
+
 impl Engines {
     /// The oracles of the panel, then the engines.
     pub fn beside<'a>(&'a self, panel: &[&'a dyn Oracle]) -> Vec<&'a dyn Oracle> {
@@ -153,16 +166,7 @@ impl Engines {
 
     /// Hands `then` what the gate has to be told of the panel and of the engines.
     pub fn with_roles<T>(&self, then: impl FnOnce(&Roles<'_>) -> T) -> T {
-        let may_decline = |oracle: &str| match self.fleet.engine(oracle) {
-            Some(engine) => engine.entry.may_decline,
-            None => panel::may_decline(oracle),
-        };
-        let granted = |oracle: &str| self.fleet.engine(oracle).is_some_and(|engine| engine.is_granted());
-        let shown_by = |oracle: &str, flags: &str| match self.fleet.engine(oracle) {
-            Some(_) => format!("chattercheck engine ask {oracle} --engines {} {flags}", self.manifest.display()),
-            None => panel::shown_by(oracle, flags),
-        };
-        then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
+        with_roles(&self.asked(), &self.path(), then)
     }
 
     /// Hands `then` who the engines are, and what is known to fail with them. The clock is told of what is right.

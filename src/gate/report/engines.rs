@@ -91,10 +91,6 @@ impl Report {
                 }
             }
             let wrong = self.failures.iter().filter(|failure| is_to_blame(name, failure)).count();
-            let about = self.shortfalls.iter().filter(|shortfall| shortfall.oracles().contains(&name.as_str()));
-            let undecided = (broke > 0).then_some(Verdict::Undecided);
-            let verdict = Verdict::of(wrong, about.map(Shortfall::verdict).chain(undecided));
-            self.verdict = self.verdict.max(verdict);
             let profile = tally.profiles.get(name).cloned();
             let explanations = None;
             self.engines.push(EngineReport {
@@ -103,12 +99,12 @@ impl Report {
                 declined,
                 broke,
                 wrong,
-                verdict,
+                verdict: Verdict::Pass,
                 profile,
                 explanations,
             });
         }
-        self
+        self.concluded()
     }
 
     /// The same with what would explain the wrong answers of each engine, by its name. It is asked about those only that got something wrong.

@@ -193,13 +193,8 @@ impl Report {
             run.failures.iter().map(|failure| FailedCase::new(failure, roles)).collect();
         // A run that was put together of parts has more of them.
         failures.iter_mut().skip(DETAILED).for_each(|failure| failure.partings = Vec::new());
-        // An engine that broke leaves its cases undecided.
-        let broke = failures.iter().filter(|failure| failure.is_breakdown());
-        let wrong = failures.len() - broke.clone().count();
-        let undecided = broke.map(|_| Verdict::Undecided);
-        let verdict = Verdict::of(wrong, shortfalls.iter().map(Shortfall::verdict).chain(undecided));
         let claims = tally.claims.iter().map(|(oracle, claims)| (oracle.clone(), claims.figures())).collect();
-        Self {
+        let report = Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             seed: run.seed,
             oracles: run.oracles.clone(),
@@ -220,15 +215,34 @@ impl Report {
             not_judged,
             engines: Vec::new(),
             responses: None,
-            verdict,
-        }
+            verdict: Verdict::Pass,
+        };
+        report.concluded()
     }
 
     /// The same with what was found in whole responses: one of them that is wrong turns the run red as a case does.
     #[must_use]
     pub fn with_responses(self, responses: Option<responses::Report>) -> Self {
-        let verdict = self.verdict.max(responses.as_ref().map_or(Verdict::Pass, responses::Report::verdict));
-        Self { responses, verdict, ..self }
+        Self { responses, ..self }.concluded()
+    }
+
+    /// The same with the verdicts on it and on its engines that follow from all else that is in it.
+    pub(super) fn concluded(mut self) -> Self {
+        for engine in &mut self.engines {
+            let name = engine.engine.name.as_str();
+            let about = self.shortfalls.iter().filter(|shortfall| shortfall.oracles().contains(&name));
+            let undecided = (engine.broke > 0).then_some(Verdict::Undecided);
+            engine.verdict = Verdict::of(engine.wrong, about.map(Shortfall::verdict).chain(undecided));
+        }
+        // An engine that broke leaves its cases undecided.
+        let broke = self.failures.iter().filter(|failure| failure.is_breakdown());
+        let wrong = self.failures.len() - broke.clone().count();
+        let shortfalls = self.shortfalls.iter().map(Shortfall::verdict);
+        let undecided = broke.map(|_| Verdict::Undecided);
+        let of_engines = self.engines.iter().map(|engine| engine.verdict);
+        let of_responses = self.responses.iter().map(responses::Report::verdict);
+        self.verdict = Verdict::of(wrong, shortfalls.chain(undecided).chain(of_engines).chain(of_responses));
+        self
     }
 
     /// Whether nothing was wrong.
