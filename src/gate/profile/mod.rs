@@ -177,11 +177,10 @@ impl Held<'_> {
         }
         let right = self.right();
         let case = named.to_string();
-        let smallest = (1..=right).filter_map(|impact| {
-            let interval = self.truth.at(Observable::Interval, impact)?.value;
-            Some(Smallest { interval, impact, case: case.clone() })
-        });
-        profile.smallest = smallest.min_by(|one, two| one.interval.total_cmp(&two.interval));
+        let intervals =
+            (1..=right).filter_map(|impact| Some((self.truth.at(Observable::Interval, impact)?.value, impact)));
+        let smallest = intervals.min_by(|(one, _), (two, _)| one.total_cmp(two));
+        profile.smallest = smallest.map(|(interval, impact)| Smallest { interval, impact, case: case.clone() });
         profile.deepest = (right > 0).then_some(Deepest { impact: right, case });
         profile.sides.note(&named.case, self.model, truth, sides::Outcome { is_wrong, said });
         profile.endings.insert(ending_name(truth), Said::of(said, truth, is_wrong));

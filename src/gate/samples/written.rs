@@ -1,4 +1,4 @@
-//! How a sample is written in a file, with every bit of its numbers.
+//! How a sample is written: in columns. That every bit of its numbers comes back is for [`stored`](crate::stored) to see.
 
 use contract::{Ending, Estimate, History, Impact, Limit, Loss, Uncertainty};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
@@ -15,34 +15,11 @@ struct Written {
 
 #[derive(Serialize, Deserialize)]
 struct Columns {
-    time: Vec<Number>,
-    interval: Vec<Number>,
-    velocity: Vec<Number>,
+    time: Vec<f64>,
+    interval: Vec<f64>,
+    velocity: Vec<f64>,
     ending: String,
-    chattering_time: Option<Number>,
-}
-
-/// A double: JSON has no word for what is not finite.
-#[derive(Serialize, Deserialize)]
-#[serde(untagged)]
-enum Number {
-    Finite(f64),
-    Word(String),
-}
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        if value.is_finite() { Self::Finite(value) } else { Self::Word(value.to_string()) }
-    }
-}
-
-impl Number {
-    fn value(&self) -> f64 {
-        match self {
-            Self::Finite(value) => *value,
-            Self::Word(word) => word.parse().unwrap_or(f64::NAN),
-        }
-    }
+    chattering_time: Option<f64>,
 }
 
 const ENDINGS: [(&str, Ending); 10] = [
@@ -60,14 +37,14 @@ const ENDINGS: [(&str, Ending); 10] = [
 
 impl From<&History> for Columns {
     fn from(history: &History) -> Self {
-        let column = |of: fn(&Impact) -> f64| history.impacts.iter().map(|impact| of(impact).into()).collect();
+        let column = |of: fn(&Impact) -> f64| history.impacts.iter().map(of).collect();
         let ending = ENDINGS.iter().find(|(_, ending)| *ending == history.ending);
         Self {
             time: column(|impact| impact.time),
             interval: column(|impact| impact.interval),
             velocity: column(|impact| impact.velocity),
             ending: ending.map_or_else(String::new, |(name, _)| (*name).to_owned()),
-            chattering_time: history.chattering_time.map(|time| time.value.into()),
+            chattering_time: history.chattering_time.map(|time| time.value),
         }
     }
 }
@@ -80,14 +57,13 @@ impl Columns {
             return Err("columns of unequal length".to_owned());
         }
         let rows = self.time.iter().zip(&self.interval).zip(&self.velocity);
-        let impact = |((time, interval), velocity): ((&Number, &Number), &Number)| Impact {
-            time: time.value(),
-            interval: interval.value(),
-            velocity: velocity.value(),
+        let impact = |((&time, &interval), &velocity): ((&f64, &f64), &f64)| Impact {
+            time,
+            interval,
+            velocity,
             uncertainty: Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 },
         };
-        let chattering_time =
-            self.chattering_time.as_ref().map(|time| Estimate { value: time.value(), uncertainty: 0.0 });
+        let chattering_time = self.chattering_time.map(|value| Estimate { value, uncertainty: 0.0 });
         Ok(History { impacts: rows.map(impact).collect(), ending: *ending, chattering_time })
     }
 }
