@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::{
     Status,
     case_flags::read_scene_as,
-    numbers::number,
+    moment::Moment,
     output::{Format, note},
 };
 
@@ -30,9 +30,9 @@ pub(super) struct Arguments {
     /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
-    /// Follow the block to this time tau at the most
-    #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
-    until: Option<f64>,
+    /// Follow the block to this time at the most: tau, as in 2.5, or seconds, as in 2.5s
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    until: Option<Moment>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -68,7 +68,8 @@ struct Row {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
-    let request = scene.on_motion(arguments.until, Termination::Exact)?;
+    let until = arguments.until.map(|until| until.tau(scene.block.frequency_parameter()));
+    let request = scene.on_motion(until, Termination::Exact)?;
     let oracle = panel::stepper_on(&request.body, &request.motion);
     let declined = |decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = Response::on_motion(oracle.as_ref(), &request).map_err(declined)?;

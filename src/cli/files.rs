@@ -9,6 +9,7 @@ use std::{
 
 use anyhow::{Context as _, bail};
 use chattercheck::studies::chart;
+use contract::Invalid;
 
 use super::output;
 
@@ -97,6 +98,45 @@ impl Target {
         fs::write(&whole, text)?;
         fs::rename(&whole, &self.path)
     }
+}
+
+/// An option that names a file to be written.
+#[derive(Clone, Copy)]
+pub(super) struct FileOption<'a> {
+    /// Its name.
+    pub name: &'static str,
+    /// What is allowed for the others where this one is given.
+    pub beside: &'static str,
+    /// The file, if it is given.
+    pub path: Option<&'a Path>,
+}
+
+/// The files that are given, each with what goes into it. That they can be written is found out before the work, not after it. What is in them stays.
+///
+/// # Errors
+/// When one can't be written, or two are the same, or one is among the files that are `taken`: what is allowed then, and the path.
+pub(super) fn targets<'a, Content>(
+    options: impl IntoIterator<Item = (Content, FileOption<'a>)>,
+    taken: &[(&'static str, Option<&Path>)],
+) -> anyhow::Result<Vec<(Content, Target)>> {
+    let mut files: Vec<(Content, Target)> = Vec::new();
+    let mut besides: Vec<&'static str> = Vec::new();
+    for (content, FileOption { name, beside, path }) in options {
+        let Some(path) = path else { continue };
+        let target = Target::new(path)?;
+        let refused = |allowed| Invalid::new(name, path.display(), allowed);
+        if let Some((_, beside)) = files.iter().zip(&besides).find(|((_, other), _)| other.is(&target)) {
+            return Err(refused(beside).into());
+        }
+        // What is written over it would be the end of it.
+        let is_taken = |taken: &Path| Target::resolved(taken).is_some_and(|taken| target.is_at(&taken));
+        if let Some((allowed, _)) = taken.iter().find(|(_, taken)| taken.is_some_and(is_taken)) {
+            return Err(refused(allowed).into());
+        }
+        files.push((content, target));
+        besides.push(beside);
+    }
+    Ok(files)
 }
 
 /// Writes a new file, and nothing over one that is there.

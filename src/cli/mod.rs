@@ -19,6 +19,8 @@ mod followed;
 mod joined;
 mod judge;
 mod merge;
+mod moment;
+mod motion_facts;
 mod numbers;
 mod oracle_flags;
 mod oracles;

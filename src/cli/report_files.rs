@@ -11,9 +11,11 @@ use chattercheck::{
     page,
 };
 use clap::Args;
-use contract::Invalid;
 
-use super::{files::Target, output};
+use super::{
+    files::{FileOption, Target, targets},
+    output,
+};
 
 #[derive(Args)]
 pub(super) struct ReportFiles {
@@ -53,23 +55,14 @@ pub(super) struct Told<'a> {
 
 impl Content {
     /// The option that asks for it.
-    fn option(self) -> &'static str {
-        match self {
-            Self::Json => "json",
-            Self::Junit => "junit",
-            Self::Html => "html",
-            Self::Summary => "summary",
-        }
-    }
-
-    /// What is allowed for the others where this one is asked for.
-    fn allowed_beside(self) -> &'static str {
-        match self {
-            Self::Json => "another file than that of --json",
-            Self::Junit => "another file than that of --junit",
-            Self::Html => "another file than that of --html",
-            Self::Summary => "another file than that of --summary",
-        }
+    fn option(self, path: Option<&Path>) -> FileOption<'_> {
+        let (name, beside) = match self {
+            Self::Json => ("json", "another file than that of --json"),
+            Self::Junit => ("junit", "another file than that of --junit"),
+            Self::Html => ("html", "another file than that of --html"),
+            Self::Summary => ("summary", "another file than that of --summary"),
+        };
+        FileOption { name, beside, path }
     }
 
     fn text(self, told: &Told) -> anyhow::Result<String> {
@@ -96,22 +89,8 @@ impl ReportFiles {
             (Content::Html, &self.html),
             (Content::Summary, &self.summary),
         ];
-        let mut files: Vec<(Content, Target)> = Vec::new();
-        for (content, path) in given {
-            let Some(path) = path else { continue };
-            let target = Target::new(path)?;
-            let refused = |allowed| Invalid::new(content.option(), path.display(), allowed);
-            if let Some((other, _)) = files.iter().find(|(_, other)| other.is(&target)) {
-                return Err(refused(other.allowed_beside()).into());
-            }
-            // A report over it would be the end of it.
-            let is_taken = |taken: &Path| Target::resolved(taken).is_some_and(|taken| target.is_at(&taken));
-            if let Some((allowed, _)) = taken.iter().find(|(_, taken)| taken.is_some_and(is_taken)) {
-                return Err(refused(allowed).into());
-            }
-            files.push((content, target));
-        }
-        Ok(Targets(files))
+        let options = given.map(|(content, path)| (content, content.option(path.as_deref())));
+        Ok(Targets(targets(options, taken)?))
     }
 }
 

@@ -3,18 +3,22 @@ use std::path::PathBuf;
 use anyhow::anyhow;
 use chattercheck::{
     measure::critical,
-    motion::scene::{self, Answers},
+    motion::{
+        response::Termination,
+        scene::{self, Answers, Scene},
+    },
     panel,
 };
 use clap::Args;
-use contract::{Case, Model};
+use contract::Model;
 use serde::Serialize;
 
 use super::{
     Status,
     case_facts::CaseFacts,
     case_flags::read_scene,
-    output::{Format, print},
+    motion_facts::MotionFacts,
+    output::{Format, note, print},
 };
 
 /// Say what a scene is in dimensionless terms, and answer what it asks; or print the JSON Schema of scene files
@@ -35,22 +39,32 @@ pub(super) struct Arguments {
 struct Answer {
     title: String,
     #[serde(flatten)]
-    case: CaseFacts,
+    asked: Facts,
     model: &'static str,
     /// `p`, 1/s: a dimensionless time over it is a time in seconds.
     frequency_parameter: f64,
-    /// m/s².
+    /// m/s²; of other motions than a sinusoid the strongest, or a bound on it.
     ground_acceleration: f64,
-    /// The amplitude over the acceleration at which this block of this model begins to rock: what `a_cr` is to be compared with.
+    /// It over the acceleration at which this block of this model begins to rock: what `a_cr` of a sinusoid is to be compared with.
     over_threshold: f64,
+    /// That acceleration, m/s².
+    threshold: f64,
     rocks: bool,
-    /// The critical amplitude of the linear model; `null` outside of the range of its interpolant.
+    /// The critical amplitude of the linear model; `null` outside of the range of its interpolant, and for other motions than a sinusoid.
     a_cr: Option<f64>,
     /// Relative.
     tolerance: f64,
     /// In seconds since the start of the ground motion; `null` for what was not asked.
     #[serde(flatten)]
     answers: Answers,
+}
+
+/// What a scene is in dimensionless terms.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Facts {
+    Case(CaseFacts),
+    Motion(MotionFacts),
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
@@ -60,30 +74,83 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     let path = arguments.file.as_deref().ok_or_else(|| anyhow!("no scene file"))?;
     let scene = read_scene(path)?;
-    let case: Case = scene.case()?;
-    let answers = scene.answers(panel::stepper_of(scene.ask.model).as_ref())?;
-    let answer = Answer {
-        title: scene.title.clone(),
-        case: CaseFacts::of(&case),
-        model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
-        frequency_parameter: scene.block.frequency_parameter(),
-        ground_acceleration: scene.block.acceleration(scene.sine()?.amplitude),
-        over_threshold: scene.question()?.case.amplitude(),
-        rocks: answers.initiation.is_some(),
-        a_cr: critical::interpolated(case.omega(), case.eta()).ok().map(|epsilon| 1.0 + epsilon),
-        tolerance: scene.ask.tolerance,
-        answers,
-    };
+    if let scene::Ground::Shaking(shaking) = &scene.ground {
+        shaking.notes.iter().for_each(|said| note(said));
+    }
+    let answer = if scene.sine().is_ok() { of_case(&scene)? } else { of_motion(&scene)? };
     arguments.format.print(&answer, text)?;
     let lost = answer.answers.chattering_time.is_some_and(|chattering| chattering.complete.is_none());
     Ok(if lost { Status::Disagreed } else { Status::Well })
 }
 
+/// Of a sinusoid under a block at rest.
+fn of_case(scene: &Scene) -> anyhow::Result<Answer> {
+    let case = scene.case()?;
+    let acceleration = scene.block.acceleration(scene.sine()?.amplitude);
+    let a_cr = critical::interpolated(case.omega(), case.eta()).ok().map(|epsilon| 1.0 + epsilon);
+    let answers = scene.answers(panel::stepper_of(scene.ask.model).as_ref())?;
+    let over_threshold = scene.question()?.case.amplitude();
+    Ok(answer(scene, Facts::Case(CaseFacts::of(&case)), (acceleration, over_threshold), a_cr, answers))
+}
+
+/// Of any other scene.
+fn of_motion(scene: &Scene) -> anyhow::Result<Answer> {
+    let request = scene.on_motion(None, Termination::Exact)?;
+    let facts = MotionFacts::of(scene, &request);
+    let strongest = facts.strongest;
+    let acceleration = strongest * scene.threshold() * scene.block.gravity;
+    let answers = scene.answers(panel::stepper_on(&request.body, &request.motion).as_ref())?;
+    Ok(answer(scene, Facts::Motion(facts), (acceleration, strongest), None, answers))
+}
+
+fn answer(
+    scene: &Scene,
+    asked: Facts,
+    (ground_acceleration, over_threshold): (f64, f64),
+    a_cr: Option<f64>,
+    answers: Answers,
+) -> Answer {
+    Answer {
+        title: scene.title.clone(),
+        asked,
+        model: if scene.ask.model == Model::Linear { "linear" } else { "nonlinear" },
+        frequency_parameter: scene.block.frequency_parameter(),
+        ground_acceleration,
+        over_threshold,
+        threshold: scene.block.gravity * scene.threshold(),
+        rocks: answers.initiation.is_some(),
+        a_cr,
+        tolerance: scene.ask.tolerance,
+        answers,
+    }
+}
+
 fn text(answer: &Answer) -> String {
-    let Answer { case, model, frequency_parameter, ground_acceleration, .. } = answer;
-    let CaseFacts { a, omega, eta, alpha, normalisation, .. } = case;
-    let alpha = alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha}"));
-    let normalisation = normalisation.map_or(String::new(), |name| format!(" ({name} normalisation)"));
+    let Answer { model, frequency_parameter: p, ground_acceleration, over_threshold, .. } = answer;
+    let slenderness = |alpha: &Option<f64>| alpha.map_or(String::new(), |alpha| format!(", alpha = {alpha}"));
+    let asked = match &answer.asked {
+        Facts::Case(CaseFacts { a, omega, eta, alpha, normalisation, .. }) => {
+            let normalisation = normalisation.map_or(String::new(), |name| format!(" ({name} normalisation)"));
+            vec![
+                format!("  a = {a}{normalisation}, omega = {omega}, eta = {eta}{}, {model}", slenderness(alpha)),
+                format!("  p = {p} 1/s, ground acceleration {ground_acceleration} m/s^2"),
+            ]
+        }
+        Facts::Motion(MotionFacts { ground, eta, alpha, duration, samples, dt, .. }) => {
+            let lasts = duration.map_or("without end".to_owned(), |tau| format!("for {tau} tau = {:.6} s", tau / p));
+            let sampled = samples
+                .zip(*dt)
+                .map_or(String::new(), |(samples, dt)| format!(", {samples} samples {dt} tau = {:.6} s apart", dt / p));
+            vec![
+                format!("  {ground} {lasts}{sampled}, at most {over_threshold} times the threshold"),
+                format!("  eta = {eta}{}, {model}", slenderness(alpha)),
+                format!(
+                    "  p = {p} 1/s, ground acceleration up to {ground_acceleration} m/s^2, threshold {} m/s^2",
+                    answer.threshold
+                ),
+            ]
+        }
+    };
     let rocks = match (answer.answers.initiation, answer.a_cr) {
         (None, _) => "does not rock".to_owned(),
         (Some(time), None) => format!("begins to rock at {time:.6} s"),
@@ -95,12 +162,8 @@ fn text(answer: &Answer) -> String {
             )
         }
     };
-    let mut lines = vec![
-        if answer.title.is_empty() { "(no title)".to_owned() } else { answer.title.clone() },
-        format!("  a = {a}{normalisation}, omega = {omega}, eta = {eta}{alpha}, {model}"),
-        format!("  p = {frequency_parameter} 1/s, ground acceleration {ground_acceleration} m/s^2"),
-        format!("  {rocks}"),
-    ];
+    let title = if answer.title.is_empty() { "(no title)".to_owned() } else { answer.title.clone() };
+    let mut lines: Vec<String> = [title].into_iter().chain(asked).chain([format!("  {rocks}")]).collect();
     lines.extend(answered(&answer.answers, answer.tolerance).into_iter().map(|line| format!("  {line}")));
     lines.join("\n")
 }

@@ -7,11 +7,12 @@ use sha2::{Digest as _, Sha256};
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
 
-pub(super) fn head(title: &str) -> Markup {
+/// The head of a page, on which there may be another style.
+pub(super) fn head(title: &str, other: Option<&str>) -> Markup {
     let hash = |text: &str| format!("'sha256-{}'", BASE64_STANDARD.encode(Sha256::digest(text)));
     let policy = format!(
         "default-src 'none'; style-src {}; script-src {}; base-uri 'none'; form-action 'none'",
-        hash(STYLE),
+        [STYLE].into_iter().chain(other).map(hash).collect::<Vec<_>>().join(" "),
         hash(SCRIPT)
     );
     html! {

@@ -1,4 +1,4 @@
-//! The report as one HTML file that needs nothing else: no network, no other file.
+//! The report, and an answer, as one HTML file that needs nothing else: no network, no other file.
 //!
 //! Without its script everything is there to be read; the script filters and sorts the table of cases, and opens the case that a link leads to. What comes from
 //! outside (names of engines, what they said) is escaped by the templates; should anything slip through, the policy of the page runs no script but its own, by
@@ -7,6 +7,7 @@
 //! The same report gives the same page, byte for byte: it holds no measured times. A run of a million cases gives a page of a few megabytes:
 //! what failed is shown, and of the rest an even sample; the page says so.
 
+mod answer;
 mod case;
 mod cases;
 mod digits;
@@ -20,6 +21,7 @@ mod sample;
 mod scale;
 mod wrong;
 
+pub use answer::{Answer, answer};
 use maud::{DOCTYPE, Markup, html};
 
 use crate::{
@@ -38,7 +40,7 @@ pub fn html(report: &Report, cases: &[Named], outcomes: &Outcomes, replays: Opti
     let page = html! {
         (DOCTYPE)
         html lang="en" {
-            (head::head(&format!("{}: chattercheck", report.verdict)))
+            (head::head(&format!("{}: chattercheck", report.verdict), None))
             body {
                 a .skip href="#cases" { "to the cases" }
                 (verdict(report, replays))

@@ -281,6 +281,11 @@ impl Response {
         Ok(self.peak_by(oracle.flights_on(&request.body, &request.motion)?.as_ref()))
     }
 
+    /// The acceleration of the ground at `tau`, in multiples of that at which the block begins to rock; 0 once the motion is over.
+    pub fn acceleration(&self, tau: f64) -> f64 {
+        if self.lasts.is_some_and(|lasts| tau > lasts) { 0.0 } else { self.ground.acceleration(tau) }
+    }
+
     /// The times of rest, each from and to.
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let begins = self.bouts.iter().map(Bout::begin).chain([self.end]);

@@ -81,9 +81,13 @@ impl Scene {
     /// # Errors
     /// When its numbers leave the range of a case, or the method declines it.
     pub fn answers(&self, oracle: &dyn Oracle) -> Result<Answers, AnswerError> {
-        let request = self.response(None, Termination::Exact)?;
-        let response = Response::new(oracle, &request)
-            .map_err(|why| AnswerError::Declined { oracle: oracle.name().to_owned(), why })?;
+        let (response, of_case) = if self.sine().is_ok() {
+            let request = self.response(None, Termination::Exact)?;
+            (Response::new(oracle, &request), Some(request))
+        } else {
+            (Response::on_motion(oracle, &self.on_motion(None, Termination::Exact)?), None)
+        };
+        let response = response.map_err(|why| AnswerError::Declined { oracle: oracle.name().to_owned(), why })?;
         let seconds = |tau: f64| tau / self.block.frequency_parameter();
         let asked = |question| self.ask.what.contains(&question);
         let first = response.bouts.first();
@@ -94,7 +98,7 @@ impl Scene {
             initiation: first.map(|bout| seconds(bout.begin())),
             chattering_time: first
                 .filter(|_| asked(Question::ChatteringTime))
-                .map(|bout| self.chattering_time(oracle, &request, bout)),
+                .map(|bout| self.chattering_time(oracle, of_case.as_ref(), bout)),
             impact_times: asked(Question::ImpactTimes).then_some(impact_times),
             rest_periods: asked(Question::RestPeriods).then(rests),
             response: asked(Question::Response).then(|| Summary {
@@ -106,8 +110,8 @@ impl Scene {
         })
     }
 
-    fn chattering_time(&self, oracle: &dyn Oracle, request: &Request, bout: &Bout) -> ChatteringTime {
-        let Request { case, rounding, .. } = *request;
+    /// That of a bout: of a case, where the motion is a sinusoid under a block at rest.
+    fn chattering_time(&self, oracle: &dyn Oracle, request: Option<&Request>, bout: &Bout) -> ChatteringTime {
         let complete = match bout.outcome {
             _ if bout.is_unsure() => None,
             BoutEnd::Complete { .. } => Some(true),
@@ -117,10 +121,11 @@ impl Scene {
         let tau = (complete == Some(true)).then_some(bout.duration - bout.start);
         // From the threshold on moving ground it is that of the case, for which the oracle claims an error too.
         let shaken = bout.flights.iter().all(|flight| flight.departure.ground == Ground::Shaking);
-        let of_case = case.with_max_impacts(IMPACTS).ok().filter(|_| bout.start == 0.0 && shaken);
+        let of_case = request.filter(|_| bout.start == 0.0 && shaken);
+        let of_case = of_case.and_then(|request| request.case.with_max_impacts(IMPACTS).ok());
         let claimed = of_case.and_then(|case| ask(oracle, &case).into_observed()?.chattering_time);
         // What the rounding of the scene's own numbers does is not known to the oracle.
-        let numbers = if rounding > 0.0 { bout.conditioning } else { 0.0 };
+        let numbers = if request.is_some_and(|request| request.rounding > 0.0) { bout.conditioning } else { 0.0 };
         let uncertainty = match bout.outcome {
             BoutEnd::Complete { uncertainty } => {
                 Some(claimed.map_or(uncertainty, |claimed| claimed.uncertainty + numbers))

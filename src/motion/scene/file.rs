@@ -10,7 +10,7 @@ use toml::Spanned;
 use crate::cases::toml_error::Allowed;
 
 /// What is allowed for each field, in words.
-pub const ALLOWED: [Allowed; 42] = [
+pub const ALLOWED: [Allowed; 43] = [
     ("title", "a text in quotes"),
     ("block", "a table [block]"),
     ("ground", "a table [ground]"),
@@ -46,6 +46,7 @@ pub const ALLOWED: [Allowed; 42] = [
     ("file", "a text in quotes: the path of the record, from where the scene is"),
     ("units", UNITS),
     ("scale", "a number, -1e6 to 1e6"),
+    ("direction", "1, or -1 for the other way round"),
     ("time_scale", "a number, 1e-6 to 1e6"),
     ("dt", TIMES),
     ("column", "a whole number, 1 to 1000"),
@@ -63,7 +64,7 @@ const TIMES: &str = "one of { seconds = number } or { tau = number }";
 const PULSES: &str =
     "one of \"one-sine\", \"one-cosine\", \"ricker\", \"ricker-antisymmetric\" or \"mavroeidis-papageorgiou\"";
 const RECORDS: &str =
-    "a table { file = \"..\", units = \"..\" }, with scale, time_scale, dt and column where they are needed";
+    "a table { file = \"..\", units = \"..\" }, with scale, direction, time_scale, dt and column where they are needed";
 const UNITS: &str = "one of \"g\", \"m/s2\", \"cm/s2\" or \"threshold\"";
 const QUESTIONS: &str =
     "a list of at least one of \"impact-times\", \"chattering-time\", \"response\" and \"rest-periods\", each once";
@@ -219,6 +220,9 @@ pub struct RecordFields {
     /// What the samples are multiplied with, of either sign; 1 unless given.
     #[schemars(with = "Option<f64>")]
     pub scale: Option<Spanned<f64>>,
+    /// 1, or -1 for the other way round; 1 unless given.
+    #[schemars(with = "Option<i8>")]
+    pub direction: Option<Spanned<i64>>,
     /// What the times are multiplied with; 1 unless given.
     #[schemars(with = "Option<f64>")]
     pub time_scale: Option<Spanned<f64>>,

@@ -2,6 +2,7 @@
 //!
 //! Unknown keys, missing ones and impossible values are errors that name the line.
 
+mod account;
 mod answer;
 mod file;
 mod response;
@@ -12,6 +13,7 @@ use std::{f64::consts::TAU, fmt, ops::Range, path::Path};
 use contract::{Case, Invalid, Model, Normalisation, Slenderness};
 use toml::Spanned;
 
+pub use account::{Account, End, Largest, Stretch};
 pub use answer::{AnswerError, Answers, ChatteringTime, Summary};
 pub use file::{
     Amplitude, AskFields, BlockFields, Duration, Frequency, GroundFields, ModelName, PulseName, Question, RecordFields,
@@ -270,6 +272,12 @@ impl Block {
                     text.number("slenderness", slenderness, allowed, "1e-100 <= slenderness < pi/2 (radians)")?;
                 (length("radius", radius)?, slenderness)
             }
+            ((Some(_), None), (None, Some(half)), (None, None)) => {
+                return Err(mixed(text, "width", ("half_height", half)));
+            }
+            ((None, Some(_)), (Some(half), None), (None, None)) => {
+                return Err(mixed(text, "height", ("half_width", half)));
+            }
             _ => {
                 return Err(SceneError(
                     "[block] needs width and height (of the whole block), or half_width and half_height (half of them), or radius and slenderness; one pair, and nothing of another"
@@ -378,6 +386,16 @@ impl Sine {
         let duration = fields.duration.as_ref().map(seconds).transpose()?;
         Ok(Self { amplitude, frequency, phase, duration })
     }
+}
+
+/// Of a block that is given by one whole and one half of its lengths.
+fn mixed(text: &Text, whole: &str, (half, length): (&str, &Spanned<f64>)) -> SceneError {
+    let of = half.trim_start_matches("half_");
+    let twice = 2.0 * length.get_ref();
+    let said = format!(
+        "{half} is half of the {of}, and {whole} the whole {whole} of the block; expected is {of} = {twice} beside {whole}, if that is meant, or half_width and half_height"
+    );
+    text.error(&length.span(), said)
 }
 
 /// The rotation and the velocity at the start.

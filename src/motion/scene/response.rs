@@ -72,7 +72,7 @@ impl Scene {
     }
 
     /// The motion of the ground, and by how much rounding may have moved it, relative.
-    fn motion(&self) -> Result<(Arc<Motion>, f64), Invalid> {
+    pub(super) fn motion(&self) -> Result<(Arc<Motion>, f64), Invalid> {
         let sine = match &self.ground {
             Ground::Sinusoid(sine) => sine,
             Ground::Shaking(Shaking { over_slender: Some(model), .. }) if *model != self.ask.model => {

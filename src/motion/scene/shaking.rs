@@ -1,6 +1,10 @@
 //! A ground motion that is no sinusoid: a pulse by its name, a sum of sinusoids, or a record, in multiples of the threshold and in `τ`.
 
-use std::{ops::Range, path::Path, sync::Arc};
+use std::{
+    ops::Range,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use contract::{Invalid, Model, Motion, Ricker, Sinusoid, Stretch};
 use toml::Spanned;
@@ -22,6 +26,8 @@ pub struct Shaking {
     pub rounding: f64,
     /// The model whose threshold it was measured with, `g α` of the linear one, where an amplitude is written over the slender threshold.
     pub over_slender: Option<Model>,
+    /// The file of a record.
+    pub file: Option<PathBuf>,
     /// What a reader of its file should know.
     pub notes: Vec<String>,
 }
@@ -90,7 +96,7 @@ impl Reader<'_> {
         };
         let motion = motion.map_err(|invalid| self.text.error(&pulse.span(), invalid))?;
         let over_slender = self.over_slender(fields.amplitude.iter());
-        Ok(Shaking { name: by, motion: Arc::new(motion), rounding, over_slender, notes: Vec::new() })
+        Ok(Shaking { name: by, motion: Arc::new(motion), rounding, over_slender, file: None, notes: Vec::new() })
     }
 
     fn sum(&self, sinusoids: &Spanned<Vec<SineFields>>, fields: &GroundFields) -> Result<Shaking, SceneError> {
@@ -144,7 +150,7 @@ impl Reader<'_> {
         let motion = Motion::sinusoids(vec![Stretch { until, terms }]);
         let motion = motion.map_err(|invalid| self.text.error(&sinusoids.span(), invalid))?;
         let over_slender = self.over_slender(sinusoids.get_ref().iter().map(|fields| &fields.amplitude));
-        Ok(Shaking { name: BY, motion: Arc::new(motion), rounding, over_slender, notes: Vec::new() })
+        Ok(Shaking { name: BY, motion: Arc::new(motion), rounding, over_slender, file: None, notes: Vec::new() })
     }
 
     fn record(&self, record: &RecordFields, fields: &GroundFields) -> Result<Shaking, SceneError> {
@@ -167,6 +173,12 @@ impl Reader<'_> {
             })
         };
         let scale = number("scale", &record.scale, -1e6, "-1e6 to 1e6")?;
+        let direction = record.direction.as_ref().map_or(Ok(1.0), |direction| match *direction.get_ref() {
+            one @ (1 | -1) => Ok(one as f64),
+            other => Err(self
+                .text
+                .error(&direction.span(), Invalid::new("direction", other, "1, or -1 for the other way round"))),
+        })?;
         let time_scale = number("time_scale", &record.time_scale, 1e-6, "1e-6 to 1e6")?;
         let units = record.units.as_ref().map(|units| self.units(units)).transpose()?;
         let column = record.column.as_ref().map(|column| self.column(column)).transpose()?;
@@ -191,13 +203,23 @@ impl Reader<'_> {
             Units::CentimetresPerSecondSquared => 0.01 / self.threshold(),
             Units::Threshold => 1.0,
         };
-        let dt = in_tau.or(dt.map(|seconds| seconds * p)).map(|dt| dt * time_scale);
+        let of_file = dt.map(|seconds| seconds * p);
+        if let (Some(tau), Some(of_file), Some(field)) = (in_tau, of_file, &record.dt) {
+            if (tau - of_file).abs() > 1e-6 * of_file {
+                let said = format!(
+                    "dt = {tau} tau, and the file says {of_file} tau; expected is the same, or none in the scene (time_scale stretches times)"
+                );
+                return Err(self.text.error(&field.span(), said));
+            }
+        }
+        let dt = in_tau.or(of_file).map(|dt| dt * time_scale);
         let dt =
             dt.ok_or_else(|| at_file("dt: the file does not say it: { seconds = .. } or { tau = .. }".to_owned()))?;
-        let motion = Motion::record(dt, scale * unit, samples).map_err(|invalid| at_file(invalid.to_string()))?;
+        let motion =
+            Motion::record(dt, direction * scale * unit, samples).map_err(|invalid| at_file(invalid.to_string()))?;
         let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
         let over_slender = None;
-        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, over_slender, notes })
+        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, over_slender, file: Some(path), notes })
     }
 
     fn over_slender<'b>(&self, mut amplitudes: impl Iterator<Item = &'b Spanned<Amplitude>>) -> Option<Model> {

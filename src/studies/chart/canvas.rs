@@ -1,13 +1,13 @@
 //! The sheet that is drawn on, written as plain SVG that every viewer draws alike.
 //!
-//! No style sheets, no definitions, nothing nested: lengths in pixels, colours as attributes. A line with subscripts or superscripts is one
+//! No definitions, nothing nested, and no style that is needed: lengths in pixels, colours as attributes. A line with subscripts or superscripts is one
 //! text with its pieces side by side, each shifted against the one before; it starts at a place of ours, because renderers disagree about what a
 //! line of several pieces is centred on.
 
 use std::fmt::{self, Display, Write as _};
 
 use super::{
-    colour::{BLACK, Colour, WHITE},
+    colour::{BLACK, Colour, WHITE, dark_style},
     geometry::{Place, Rect},
     text::{self, Level, Piece},
 };
@@ -43,20 +43,28 @@ impl Stroke {
 pub(super) struct Canvas {
     width: f64,
     height: f64,
+    /// An element before all others, if any.
+    style: String,
     body: String,
 }
 
 impl Canvas {
     /// A white sheet of this size.
     pub(super) fn new(width: f64, height: f64) -> Self {
-        let mut canvas = Self { body: String::new(), width: width.ceil(), height: height.ceil() };
+        let (width, height) = (width.ceil(), height.ceil());
+        let mut canvas = Self { body: String::new(), style: String::new(), width, height };
         canvas.fill(&Rect { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height }, WHITE);
         canvas
     }
 
+    /// The sheet, dark where its reader likes that.
+    pub(super) fn light_or_dark(self) -> Self {
+        Self { style: format!("<style>{}</style>\n", dark_style()), ..self }
+    }
+
     /// The file, with a title and a description for those who cannot see it.
     pub(super) fn file(&self, title: &str, description: &str) -> String {
-        let Self { width, height, body } = self;
+        let Self { width, height, style, body } = self;
         let (title, description) = (text::plain(title), text::plain(description));
         // Several charts may be put into one page, where names have to differ.
         let name: String =
@@ -64,7 +72,7 @@ impl Canvas {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
              role=\"img\" aria-labelledby=\"title-{name} text-{name}\" font-family=\"sans-serif\" stroke-linejoin=\"round\">\n\
-             <title id=\"title-{name}\">{}</title>\n<desc id=\"text-{name}\">{}</desc>\n{}</svg>\n",
+             <title id=\"title-{name}\">{}</title>\n<desc id=\"text-{name}\">{}</desc>\n{style}{}</svg>\n",
             Escaped(&title),
             Escaped(&description),
             body

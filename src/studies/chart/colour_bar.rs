@@ -7,8 +7,8 @@ use super::{
     caption::Paragraph,
     colour::BLACK,
     colour_map::colour,
+    frame::{LABEL, TEXT},
     geometry::Rect,
-    sheet::{LABEL, TEXT},
     text,
     ticks::Ticks,
 };

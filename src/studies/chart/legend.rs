@@ -3,8 +3,8 @@
 use super::{
     Draw,
     canvas::{Anchor, Canvas},
-    colour::DARK,
-    geometry::Rect,
+    colour::{Colour, DARK},
+    geometry::{Place, Rect},
     marker::Shape,
     palette::Ink,
     stroke, text,
@@ -28,6 +28,10 @@ pub(super) enum Swatch {
     Series(Ink, Draw),
     /// A marker that any series may have.
     Marker(Shape),
+    /// A shaded area.
+    Shade(Colour),
+    /// Short strokes at the foot of a panel.
+    Strokes,
     /// A cell without a value.
     Hatch,
     /// Nothing: a remark.
@@ -93,6 +97,11 @@ fn total(widths: &[f64]) -> f64 {
     widths.iter().sum::<f64>() + widths.len().saturating_sub(1) as f64 * BETWEEN
 }
 
+/// A sample of an area.
+fn around((x, y): Place) -> Rect {
+    Rect { left: x - 14.0, top: y - 8.0, right: x + 14.0, bottom: y + 8.0 }
+}
+
 fn swatch(canvas: &mut Canvas, swatch: &Swatch, x: f64, y: f64) {
     let middle = (x + 0.5 * SWATCH, y);
     match swatch {
@@ -105,10 +114,13 @@ fn swatch(canvas: &mut Canvas, swatch: &Swatch, x: f64, y: f64) {
             }
         }
         Swatch::Marker(shape) => canvas.marker(*shape, middle, DARK),
-        Swatch::Hatch => stroke::hatch(
-            canvas,
-            &Rect { left: middle.0 - 14.0, top: y - 8.0, right: middle.0 + 14.0, bottom: y + 8.0 },
-        ),
+        Swatch::Shade(colour) => canvas.fill(&around(middle), *colour),
+        Swatch::Strokes => {
+            for place in [-14.0, -4.0, 4.0, 9.0, 12.0, 14.0] {
+                stroke::at_foot(canvas, (middle.0 + place, y + 5.0));
+            }
+        }
+        Swatch::Hatch => stroke::hatch(canvas, &around(middle)),
         Swatch::Remark => {}
     }
 }

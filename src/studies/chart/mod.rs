@@ -1,6 +1,6 @@
 //! Charts as SVG, drawn from CSV files that were already written: what a chart shows and what a test asserts are the same rows.
 //!
-//! [`Table`] reads the file; [`LineChart`] and [`HeatMap`] are descriptions that [`LineChart::svg`] and [`HeatMap::svg`] draw. Nothing
+//! [`Table`] reads the file; [`LineChart`], [`HeatMap`] and [`Strips`] are descriptions that their `svg` draws. Nothing
 //! is measured or computed here. The same description gives the same SVG, byte for byte.
 //!
 //! What went wrong stays visible: an empty number is a failure, drawn as a cross above the axes or as a hatched cell, never left out.
@@ -40,6 +40,7 @@ mod colour_bar;
 mod colour_map;
 mod error;
 mod files;
+mod frame;
 mod geometry;
 mod heat;
 mod legend;
@@ -50,9 +51,11 @@ mod number;
 mod palette;
 mod series;
 mod sheet;
+mod strips;
 mod stroke;
 mod table;
 mod text;
+mod thin;
 mod ticks;
 
 pub use axis::{Axis, Scale};
@@ -62,4 +65,5 @@ pub use heat::{Cell, HeatMap, HeatPanel};
 pub use lines::{LineChart, Panel};
 pub use mark::Mark;
 pub use series::{Draw, Point, Series};
+pub use strips::{Right, Shade, Strip, Strips};
 pub use table::Table;

@@ -5,9 +5,9 @@
 use super::{
     Axis, Error, Mark,
     axis::Span,
-    canvas::{Anchor, Canvas, Stroke},
+    canvas::{Anchor, Canvas},
     caption::Paragraph,
-    colour::{BLACK, DARK, LIGHT, PALE, WHITE},
+    frame::{Frame, LABEL, LINE, TEXT, beside, shown},
     geometry::Rect,
     legend::{Entry, Legend},
     stroke::Plot,
@@ -15,13 +15,8 @@ use super::{
     ticks::Ticks,
 };
 
-const TITLE: f64 = 20.0;
-pub(super) const LABEL: f64 = 18.0;
-pub(super) const TEXT: f64 = 16.0;
-/// The height of a line of [`TEXT`].
-const LINE: f64 = 20.0;
-const MARGIN: f64 = 16.0;
-const MARK_DASH: &[f64] = &[7.0, 4.0];
+pub(super) const TITLE: f64 = 20.0;
+pub(super) const MARGIN: f64 = 16.0;
 
 /// A chart without what is in its panels.
 pub(super) struct Sheet<'a> {
@@ -81,16 +76,30 @@ impl Sheet<'_> {
         layout.title.draw_bold(&mut canvas, MARGIN, MARGIN, Anchor::Left);
         for (index, (head, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             let plot = Plot { area: self.inner(frame), x: &self.x.1, y: &self.y.1 };
+            let around = Frame {
+                rect: *frame,
+                plot: &plot,
+                x_ticks: &layout.x_ticks,
+                y_ticks: &layout.y_ticks,
+                is_filled: self.is_filled,
+            };
             if !self.is_filled {
-                grid(&mut canvas, frame, &plot, &layout);
-                self.marks(&mut canvas, frame, &plot, head);
+                around.grid(&mut canvas);
+                around.marks(&mut canvas, head.marks);
             }
             content(&mut canvas, index, &plot);
             if self.is_filled {
-                self.marks(&mut canvas, frame, &plot, head);
+                around.marks(&mut canvas, head.marks);
             }
-            self.axes(&mut canvas, index, frame, &plot, &layout);
-            self.mark_labels(&mut canvas, frame, &plot, head);
+            around.edge(&mut canvas);
+            if index + self.columns() >= self.panels.len() {
+                around.below(&mut canvas);
+            }
+            if index.is_multiple_of(self.columns()) {
+                around.left(&mut canvas);
+            }
+            self.mark_labels(&mut canvas, frame, head);
+            around.beside(&mut canvas, head.marks);
             let above = frame.top - self.mark_rows(frame.width()) as f64 * LINE - 4.0;
             if let Some(title) = layout.titles.get(index) {
                 title.draw(&mut canvas, 0.5 * (frame.left + frame.right), above - title.height(), Anchor::Middle);
@@ -133,10 +142,8 @@ impl Sheet<'_> {
 
         let x_ticks = Ticks::of(self.x.0, &self.x.1, width, |label| text::width(label, TEXT) + 14.0);
         let y_ticks = Ticks::of(self.y.0, &self.y.1, height, |_| 27.0);
-        let widest = |ticks: &Ticks| ticks.major.iter().map(|tick| text::width(&tick.label, TEXT)).fold(0.0, f64::max);
-        let level = self.panels.iter().flat_map(|head| head.marks).filter(|mark| mark.y().is_some());
-        let beside = level.map(|mark| text::width(mark.label(), TEXT) + 6.0).fold(0.0, f64::max);
-        let between = GAP.max(widest(&x_ticks) + 8.0).max(beside + 12.0);
+        let beside = beside(self.panels.iter().flat_map(|head| head.marks));
+        let between = GAP.max(x_ticks.widest(TEXT) + 8.0).max(beside + 12.0);
 
         let titles: Vec<_> =
             self.panels.iter().map(|head| Paragraph::even(head.title, LABEL, width + 0.5 * between)).collect();
@@ -146,9 +153,9 @@ impl Sheet<'_> {
         let grid_width = columns as f64 * width + (columns - 1) as f64 * between;
 
         let y_label = Paragraph::even(&self.y.0.label, LABEL, grid_height);
-        let left = MARGIN + y_label.height() + 6.0 + widest(&y_ticks) + 9.0;
+        let left = MARGIN + y_label.height() + 6.0 + y_ticks.widest(TEXT) + 9.0;
         let right = left + grid_width;
-        let narrowest = right + (beside + 4.0).max(0.5 * widest(&x_ticks)) + self.side + MARGIN;
+        let narrowest = right + (beside + 4.0).max(0.5 * x_ticks.widest(TEXT)) + self.side + MARGIN;
         let sheet = narrowest.max(Legend::new(&self.legend, narrowest - 2.0 * MARGIN).width() + 2.0 * MARGIN);
         let room = sheet - 2.0 * MARGIN;
 
@@ -186,59 +193,6 @@ impl Sheet<'_> {
         }
     }
 
-    /// The frame of a panel and what is written at its axes.
-    fn axes(&self, canvas: &mut Canvas, index: usize, frame: &Rect, plot: &Plot, layout: &Layout) {
-        // Inward, or outward where they would lie on colours.
-        let (short, long) = if self.is_filled { (-3.0, -6.0) } else { (4.0, 7.0) };
-        let strokes = |ticks: &Ticks| {
-            let major = ticks.major.iter().map(|tick| (tick.value, long));
-            major.chain(ticks.minor.iter().map(|value| (*value, short))).collect::<Vec<_>>()
-        };
-        for (value, length) in strokes(&layout.x_ticks) {
-            let (x, _) = plot.area.at(plot.x.fraction(value), 0.0);
-            canvas.line(&[(x, frame.bottom), (x, frame.bottom - length)], Stroke::whole(BLACK, 1.0));
-        }
-        for (value, length) in strokes(&layout.y_ticks) {
-            let (_, y) = plot.area.at(0.0, plot.y.fraction(value));
-            canvas.line(&[(frame.left, y), (frame.left + length, y)], Stroke::whole(BLACK, 1.0));
-        }
-        canvas.frame(frame, Stroke::whole(BLACK, 1.2));
-        if index + self.columns() >= self.panels.len() {
-            for tick in &layout.x_ticks.major {
-                let (x, _) = plot.area.at(plot.x.fraction(tick.value), 0.0);
-                canvas.text(&tick.label, (x, frame.bottom + 9.0 + 0.5 * TEXT), TEXT, Anchor::Middle);
-            }
-        }
-        if index.is_multiple_of(self.columns()) {
-            for tick in &layout.y_ticks.major {
-                let (_, y) = plot.area.at(0.0, plot.y.fraction(tick.value));
-                canvas.text(&tick.label, (frame.left - 8.0, y), TEXT, Anchor::Right);
-            }
-        }
-    }
-
-    /// The dashed lines of a panel.
-    fn marks(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) {
-        let area = plot.area;
-        for mark in head.marks {
-            let path = match mark {
-                Mark::At { x, .. } if plot.x.holds(*x) => {
-                    let (x, _) = area.at(plot.x.fraction(*x), 0.0);
-                    [(x, frame.bottom), (x, frame.top)]
-                }
-                Mark::Level { y, .. } if plot.y.holds(*y) => {
-                    let (_, y) = area.at(0.0, plot.y.fraction(*y));
-                    [(frame.left, y), (frame.right, y)]
-                }
-                _ => continue,
-            };
-            if self.is_filled {
-                canvas.line(&path, Stroke::whole(WHITE, 3.0));
-            }
-            canvas.line(&path, Stroke { colour: DARK, thick: 1.5, dash: MARK_DASH });
-        }
-    }
-
     /// The labels of the upright marks of a panel from `left` to `left + width`: the middle and the row of each.
     fn above<'m>(&self, head: &'m Head, left: f64, width: f64) -> Vec<(&'m str, f64, usize)> {
         let mut places: Vec<_> = shown(head.marks, &self.x.1, Mark::x)
@@ -269,50 +223,9 @@ impl Sheet<'_> {
         self.panels.iter().filter_map(rows).max().unwrap_or(0)
     }
 
-    fn mark_labels(&self, canvas: &mut Canvas, frame: &Rect, plot: &Plot, head: &Head) {
+    fn mark_labels(&self, canvas: &mut Canvas, frame: &Rect, head: &Head) {
         for (label, x, row) in self.above(head, frame.left, frame.width()) {
             canvas.text(label, (x, frame.top - 4.0 - (row as f64 + 0.5) * LINE), TEXT, Anchor::Middle);
-        }
-        let mut level: Vec<_> = shown(head.marks, plot.y, Mark::y)
-            .map(|(y, label)| (plot.area.at(0.0, plot.y.fraction(y)).1, label))
-            .collect();
-        level.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let mut free = f64::NEG_INFINITY;
-        for (y, label) in level {
-            let y = y.max(free);
-            free = y + LINE;
-            canvas.text(label, (frame.right + 6.0, y), TEXT, Anchor::Left);
-        }
-    }
-}
-
-/// The places and labels of those marks that have one on `span`.
-fn shown<'m>(
-    marks: &'m [Mark],
-    span: &Span,
-    place: impl Fn(&Mark) -> Option<f64>,
-) -> impl Iterator<Item = (f64, &'m str)> {
-    marks
-        .iter()
-        .filter_map(move |mark| Some((place(mark)?, mark.label())))
-        .filter(|(value, label)| span.holds(*value) && !label.is_empty())
-}
-
-/// The lines behind what is drawn.
-fn grid(canvas: &mut Canvas, frame: &Rect, plot: &Plot, layout: &Layout) {
-    let area = plot.area;
-    for tick in &layout.x_ticks.major {
-        let (x, _) = area.at(plot.x.fraction(tick.value), 0.0);
-        canvas.line(&[(x, area.top), (x, area.bottom)], Stroke::whole(LIGHT, 1.0));
-    }
-    for tick in &layout.y_ticks.major {
-        let (_, y) = area.at(0.0, plot.y.fraction(tick.value));
-        canvas.line(&[(area.left, y), (area.right, y)], Stroke::whole(LIGHT, 1.0));
-    }
-    for strip in [Rect { bottom: area.top, ..*frame }, Rect { top: area.bottom, ..*frame }] {
-        if strip.height() > 0.0 {
-            canvas.fill(&strip, PALE);
-            canvas.frame(&strip, Stroke::whole(DARK, 0.6));
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{
     Draw, Scale, Series,
     axis::Span,
     canvas::{Canvas, Stroke},
-    colour::{GREY, PALE, WHITE},
+    colour::{BLACK, GREY, PALE, WHITE},
     geometry::{Place, Rect},
     marker::{ARROW, Shape},
     palette::{Ink, LINE},
@@ -153,6 +153,12 @@ pub(super) fn hatch(canvas: &mut Canvas, area: &Rect) {
             canvas.line(&[from, to], Stroke::whole(GREY, 1.0));
         }
     }
+}
+
+/// A short stroke that stands on a place at the foot of a panel.
+pub(super) fn at_foot(canvas: &mut Canvas, (x, y): Place) {
+    const HEIGHT: f64 = 10.0;
+    canvas.line(&[(x, y), (x, y - HEIGHT)], Stroke::whole(BLACK, 1.0));
 }
 
 /// Whether `value` can't be shown on a logarithmic scale because it is zero.

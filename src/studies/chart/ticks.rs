@@ -3,7 +3,7 @@
 use super::{
     Axis,
     axis::{Scale, Span},
-    number,
+    number, text,
 };
 
 /// The ticks of an axis.
@@ -33,6 +33,11 @@ impl Ticks {
                 Self { major, minor: Vec::new() }
             }
         }
+    }
+
+    /// The width of the widest label at a size.
+    pub(super) fn widest(&self, size: f64) -> f64 {
+        self.major.iter().map(|tick| text::width(&tick.label, size)).fold(0.0, f64::max)
     }
 
     /// The most ticks that fit an axis `length` long, a label taking `room` of it.
