@@ -14,7 +14,8 @@ use super::{
     case_facts::CaseFacts,
     case_flags::CaseFlags,
     estimate,
-    followed::{Followed, follow},
+    followed::{Followed, follow, on_motion},
+    motion_facts::Facts,
     numbers::{count, whole},
     oracle_flags::{Asked, OracleFlags},
     output::{Format, note},
@@ -41,7 +42,7 @@ pub(super) struct Arguments {
 #[derive(Serialize)]
 struct Answer<'a> {
     #[serde(flatten)]
-    case: CaseFacts,
+    asked: Facts,
     /// Whether the amplitude exceeds the threshold at all.
     rocks: bool,
     /// `null` if it does not rock, or the list of impacts is too short to tell, or nothing is known of `tau_ch`.
@@ -68,6 +69,9 @@ struct Answer<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { case: flags, oracle, digits, .. } = arguments;
+    if let Some((oracle, followed)) = on_motion(flags, oracle, *digits)? {
+        return in_scene(arguments, &oracle, &followed);
+    }
     let case = flags.case(arguments.impacts.unwrap_or(64))?;
     let oracle = match oracle.asked(flags, &case, *digits).map_err(auto_too)? {
         Asked::Auto(question) => return planned(arguments, *question),
@@ -174,7 +178,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         Some(Conclusion::Complete(_)) => "at rest (complete chattering)",
     };
     let mut answer = Answer {
-        case: CaseFacts::of(&arguments.case.case(question.case.max_impacts())?),
+        asked: Facts::Case(CaseFacts::of(&arguments.case.case(question.case.max_impacts())?)),
         rocks: outcome != Some(Conclusion::NeverRocks),
         complete: outcome.filter(|outcome| *outcome != Conclusion::NeverRocks).map(|_| time.is_some()),
         tau_ch: time.map(|time| time.value),
@@ -212,7 +216,7 @@ fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow:
     let rests = bout.filter(|bout| matches!(bout.outcome, BoutEnd::Complete { .. }) && !bout.is_unsure());
     let time = rests.map(|bout| bout.duration - bout.start);
     let answer = Answer {
-        case: CaseFacts::of(&followed.scene.case()?),
+        asked: followed.facts()?,
         rocks: bout.is_some(),
         complete: bout.and_then(|bout| match bout.outcome {
             _ if bout.is_unsure() => None,
@@ -275,7 +279,7 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
     let history = &observed.history;
     let time = observed.chattering_time;
     Answer {
-        case: CaseFacts::of(case),
+        asked: Facts::Case(CaseFacts::of(case)),
         rocks: history.ending != Ending::NeverRocks,
         complete: match history.ending {
             // Of what comes to rest at a time of which nothing is known it is not known whether it comes to rest.

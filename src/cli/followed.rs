@@ -5,9 +5,9 @@ use chattercheck::motion::{
     response::{Bout, Response, Termination},
     scene::Scene,
 };
-use contract::{Ending, Oracle};
+use contract::{Ending, Invalid, Oracle};
 
-use super::case_flags::CaseFlags;
+use super::{case_flags::CaseFlags, motion_facts::Facts, oracle_flags::OracleFlags};
 
 /// The response of a scene by an oracle.
 pub(super) struct Followed {
@@ -18,10 +18,32 @@ pub(super) struct Followed {
 }
 
 impl Followed {
+    /// What the scene was, for answers that are collected.
+    pub fn facts(&self) -> Result<Facts, Invalid> {
+        Facts::of(&self.scene)
+    }
+
     /// The first rocking, if the block ever rocks.
     pub fn first(&self) -> Option<&Bout> {
         self.response.bouts.first()
     }
+}
+
+/// The response of a scene whose ground is no sinusoid, or whose block is in motion, with the name of who followed it; `None` if the flags give none.
+///
+/// # Errors
+/// When an option is not used, or the oracle can't follow the scene.
+pub(super) fn on_motion(
+    flags: &CaseFlags,
+    oracle: &OracleFlags,
+    digits: Option<i64>,
+) -> anyhow::Result<Option<(String, Followed)>> {
+    let Some(scene) = flags.scene()?.filter(|scene| scene.sine().is_err()) else { return Ok(None) };
+    let request = scene.on_motion(flags.until(), Termination::Exact)?;
+    let oracle = oracle.on_motion(flags, &request, digits)?;
+    let response = Response::on_motion(oracle.as_ref(), &request)
+        .map_err(|decline| anyhow!("{} declines {}: {decline}", oracle.name(), scene.ground_name()))?;
+    Ok(Some((oracle.name().to_owned(), Followed { scene, response })))
 }
 
 /// The response of the scene of the flags by `oracle`; `None` if there is no scene, or it is no more than a case: one with the ending given, or if none is given, one

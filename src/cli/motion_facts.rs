@@ -2,10 +2,34 @@
 
 use chattercheck::{
     measure::ground::strongest,
-    motion::{response::OnMotion, scene::Scene},
+    motion::{
+        response::{OnMotion, Termination},
+        scene::Scene,
+    },
 };
-use contract::Motion;
+use contract::{Invalid, Motion};
 use serde::Serialize;
+
+use super::case_facts::CaseFacts;
+
+/// What a scene was, dimensionless.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(super) enum Facts {
+    /// A sinusoid under a block at rest: a case.
+    Case(CaseFacts),
+    /// Any other motion.
+    Motion(MotionFacts),
+}
+
+impl Facts {
+    pub fn of(scene: &Scene) -> Result<Self, Invalid> {
+        Ok(match scene.sine() {
+            Ok(_) => Self::Case(CaseFacts::of(&scene.case()?)),
+            Err(_) => Self::Motion(MotionFacts::of(scene, &scene.on_motion(None, Termination::Exact)?)),
+        })
+    }
+}
 
 /// The motion and the block, dimensionless.
 #[derive(Serialize)]

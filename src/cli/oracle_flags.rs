@@ -3,6 +3,7 @@
 use anyhow::bail;
 use chattercheck::{
     measure::threshold::excess,
+    motion::response::OnMotion,
     panel::{self, Method, Refused, Role, Setting, Settings},
     plan::Question,
 };
@@ -60,6 +61,28 @@ impl OracleFlags {
         let oracle = panel::one(name, &settings, model)?;
         self.check(flags, case, oracle.as_ref())?;
         Ok(Asked::Oracle(oracle))
+    }
+
+    /// Who follows a scene whose ground is no sinusoid, or whose block is in motion: the method that is named, or the one that does it best.
+    ///
+    /// # Errors
+    /// As [`OracleFlags::asked`].
+    pub fn on_motion(
+        &self,
+        flags: &CaseFlags,
+        request: &OnMotion,
+        digits: Option<i64>,
+    ) -> anyhow::Result<Box<dyn Oracle>> {
+        let settings = self.settings(flags, digits);
+        if let Some(name) = self.oracle.as_deref().filter(|name| *name != AUTO) {
+            let model = if request.body.alpha().is_some() { "nonlinear" } else { "linear" };
+            return Ok(panel::one(name, &settings, model)?);
+        }
+        if let Some((setting, value)) = settings.given().find(|(setting, _)| *setting != Setting::Model) {
+            let by = "auto on this motion of the ground";
+            return Err(Refused::unused(setting.name(), value, by, |method| method.uses(setting)).into());
+        }
+        Ok(panel::stepper_on(&request.body, &request.motion))
     }
 
     /// What the judge proves of the case, if that is who is asked.

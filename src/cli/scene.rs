@@ -17,7 +17,7 @@ use super::{
     Status,
     case_facts::CaseFacts,
     case_flags::read_scene,
-    motion_facts::MotionFacts,
+    motion_facts::{Facts, MotionFacts},
     output::{Format, note, print},
 };
 
@@ -57,14 +57,6 @@ struct Answer {
     /// In seconds since the start of the ground motion; `null` for what was not asked.
     #[serde(flatten)]
     answers: Answers,
-}
-
-/// What a scene is in dimensionless terms.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Facts {
-    Case(CaseFacts),
-    Motion(MotionFacts),
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {

@@ -13,7 +13,8 @@ use super::{
     case_facts::CaseFacts,
     case_flags::CaseFlags,
     estimate,
-    followed::{Followed, follow},
+    followed::{Followed, follow, on_motion},
+    motion_facts::Facts,
     numbers::count,
     oracle_flags::{Asked, OracleFlags},
     output::{self, TableFormat, of_csv},
@@ -65,7 +66,7 @@ struct ClaimedRow {
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
-    case: CaseFacts,
+    asked: Facts,
     oracle: &'a str,
     rocks: bool,
     ending: String,
@@ -81,47 +82,58 @@ struct Listed {
 }
 
 /// When rocking begins, and to which side.
+#[derive(Clone, Copy)]
 struct Start {
     tau: f64,
     sign: i8,
+    /// As it is, of a block that is in motion.
+    velocity: f64,
+}
+
+impl Start {
+    /// That of a case.
+    const OF_CASE: Self = Self { tau: 0.0, sign: -1, velocity: 0.0 };
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
+    if let Some((oracle, followed)) = on_motion(&arguments.case, &arguments.oracle, None)? {
+        return arguments.print(&oracle, followed.facts()?, arguments.in_scene(&followed));
+    }
     let case = arguments.case.case(arguments.impacts)?;
     let oracle = match arguments.oracle.asked(&arguments.case, &case, None)? {
         Asked::Auto(question) => arguments.stepper(&question)?,
         Asked::Oracle(oracle) => oracle,
     };
     estimate::impacts(oracle.as_ref(), &case);
-    let Listed { history, start, unsure } = arguments.listed(oracle.as_ref(), &case)?;
-    let rows = rows(&history, start);
-    let ending =
-        if unsure { "unsure: rounding alone changes how it ends".to_owned() } else { history.ending.to_string() };
-    match arguments.format {
-        TableFormat::Csv => output::write(|stdout| {
-            // Without rows there would be no head.
-            let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(stdout);
-            csv.write_record(["n", "tau", "interval", "velocity", "sign"]).map_err(of_csv)?;
-            rows.iter().try_for_each(|row| csv.serialize(row)).map_err(of_csv)?;
-            csv.flush()
-        })?,
-        TableFormat::Json | TableFormat::JsonLine => {
-            let rocks = history.ending != Ending::NeverRocks;
-            let document = Document {
-                case: CaseFacts::of(&case),
-                oracle: oracle.name(),
-                rocks,
-                ending: ending.clone(),
-                impacts: claimed(rows, &history),
-            };
-            output::print(&output::json(&document, matches!(arguments.format, TableFormat::JsonLine))?)?;
-        }
-    }
-    output::note(format_args!("{}: {ending} after {} impacts", oracle.name(), history.impacts.len()));
-    Ok(if unsure || matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
+    let listed = arguments.listed(oracle.as_ref(), &case)?;
+    arguments.print(oracle.name(), Facts::Case(CaseFacts::of(&case)), listed)
 }
 
 impl Arguments {
+    /// The impacts as they are asked for, and the status.
+    fn print(&self, oracle: &str, asked: Facts, Listed { history, start, unsure }: Listed) -> anyhow::Result<Status> {
+        let rows = rows(&history, start);
+        let ending =
+            if unsure { "unsure: rounding alone changes how it ends".to_owned() } else { history.ending.to_string() };
+        match self.format {
+            TableFormat::Csv => output::write(|stdout| {
+                // Without rows there would be no head.
+                let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(stdout);
+                csv.write_record(["n", "tau", "interval", "velocity", "sign"]).map_err(of_csv)?;
+                rows.iter().try_for_each(|row| csv.serialize(row)).map_err(of_csv)?;
+                csv.flush()
+            })?,
+            TableFormat::Json | TableFormat::JsonLine => {
+                let rocks = history.ending != Ending::NeverRocks;
+                let document =
+                    Document { asked, oracle, rocks, ending: ending.clone(), impacts: claimed(rows, &history) };
+                output::print(&output::json(&document, matches!(self.format, TableFormat::JsonLine))?)?;
+            }
+        }
+        output::note(format_args!("{oracle}: {ending} after {} impacts", history.impacts.len()));
+        Ok(if unsure || matches!(history.ending, Ending::Lost(_)) { Status::Disagreed } else { Status::Well })
+    }
+
     /// The impacts of the case, or of the first rocking of the scene.
     fn listed(&self, oracle: &dyn Oracle, case: &Case) -> anyhow::Result<Listed> {
         if let Some(followed) = follow(&self.case, oracle, None)? {
@@ -130,7 +142,7 @@ impl Arguments {
         let history = oracle.history(case).map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
         match follow(&self.case, oracle, Some(history.ending))? {
             Some(followed) => Ok(self.in_scene(&followed)),
-            None => Ok(Listed { history, start: Start { tau: 0.0, sign: -1 }, unsure: false }),
+            None => Ok(Listed { history, start: Start::OF_CASE, unsure: false }),
         }
     }
 
@@ -138,7 +150,7 @@ impl Arguments {
     fn in_scene(&self, followed: &Followed) -> Listed {
         let Some(bout) = followed.first() else {
             let history = History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None };
-            return Listed { history, start: Start { tau: 0.0, sign: -1 }, unsure: false };
+            return Listed { history, start: Start::OF_CASE, unsure: false };
         };
         let claim = Uncertainty { time: f64::INFINITY, interval: f64::INFINITY, velocity: f64::INFINITY };
         let impacts = bout
@@ -153,7 +165,12 @@ impl Arguments {
             BoutEnd::Lost(loss) => Ending::Lost(loss),
         };
         let history = History { impacts: impacts.collect(), ending, chattering_time: None };
-        let start = Start { tau: bout.begin(), sign: if bout.lobe.mirror > 0.0 { -1 } else { 1 } };
+        let side = bout.flights.first().map_or(-1.0, |flight| flight.departure.side);
+        let start = Start {
+            tau: bout.begin(),
+            sign: if bout.lobe.mirror * side > 0.0 { 1 } else { -1 },
+            velocity: if bout.begin() == 0.0 { followed.scene.start.1 } else { 0.0 },
+        };
         Listed { history, start, unsure: bout.is_unsure() }
     }
 
@@ -187,7 +204,7 @@ fn rows(history: &History, start: Start) -> Vec<Row> {
     if history.ending == Ending::NeverRocks {
         return Vec::new();
     }
-    let initiation = Row { n: 0, tau: start.tau, interval: None, velocity: 0.0, sign: start.sign };
+    let initiation = Row { n: 0, tau: start.tau, interval: None, velocity: start.velocity, sign: start.sign };
     let impacts = history.impacts.iter().enumerate().map(|(index, impact)| Row {
         n: index + 1,
         tau: impact.time,
