@@ -2,7 +2,7 @@
 //!
 //! - The gate: [how a verdict comes about](gate), [the judge](judge), [reading a red run](red), [what the gate catches](detection),
 //!   [expected divergences](divergences), [where cases come from](cases), [a run in parts, and in CI](parts).
-//! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [whole responses](responses), [the plan](plan).
+//! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [a bookcase in an earthquake](earthquake), [whole responses](responses), [the plan](plan).
 //! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [how fast it is](speed),
 //!   [other tools](peers).
 //! - Working on it: [adding a method, a law, a case](add).
@@ -23,6 +23,7 @@ macro_rules! links {
 [methods]: crate::guide::methods
 [engines]: crate::guide::engines
 [scenes]: crate::guide::scenes
+[earthquake]: crate::guide::earthquake
 [responses]: crate::guide::responses
 [plan]: crate::guide::plan
 [asymptotics]: crate::guide::asymptotics
@@ -47,7 +48,7 @@ macro_rules! chapters {
 
 chapters! {
     gate judge red detection divergences cases parts
-    commands engines methods scenes responses plan
+    commands engines methods scenes earthquake responses plan
     asymptotics critical paper speed peers
     add
 }

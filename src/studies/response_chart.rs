@@ -84,7 +84,7 @@ impl Drawn<'_> {
             height: 170.0,
             x: self.time(),
             y: Axis::linear("ground (g)"),
-            right: Some(Right { label: "over the threshold".to_owned(), unit: threshold }),
+            right: Some(Right { label: "over threshold".to_owned(), unit: threshold }),
             series: vec![line],
             shades: self.rests().into_iter().chain(beyond).collect(),
             marks: vec![level(1.0), level(-1.0)],

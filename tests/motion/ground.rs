@@ -130,15 +130,18 @@ fn methods_agree_on_every_motion() {
 /// A mirror image moves the other way at the same times, to the last bit.
 #[test]
 fn a_mirror_image_is_one() {
-    let record = |scale: f64| {
+    let record = |scale: &str| {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes");
-        let ground = format!("[ground]\nrecord = {{ file = \"shaking.AT2\", units = \"g\", scale = {scale:?} }}\n");
+        let ground = format!("[ground]\nrecord = {{ file = \"shaking.AT2\", units = \"g\", {scale} }}\n");
         let text =
             format!("[block]\nradius = 1\nslenderness = 0.2\nrestitution = 0.9\n{ground}[ask]\nmodel = \"linear\"\n");
         response(&Scene::parse_in(&text, folder.as_ref()).unwrap())
     };
-    let (one, other) = (record(1.0), record(-1.0));
+    let (one, other) = (record("scale = 1.0"), record("scale = -1.0"));
     assert_eq!(rests(&one), rests(&other));
+    // A direction is a sign.
+    assert_eq!(other, record("direction = -1"));
+    assert_eq!(one, record("direction = -1, scale = -1"));
     assert!(!one.bouts.is_empty());
     let velocities = |response: &Response| -> Vec<f64> {
         response.bouts.iter().flat_map(|bout| bout.impact_list(0.9).map(|(.., velocity)| velocity)).collect()
@@ -218,11 +221,64 @@ fn what_is_wrong_with_a_motion_is_said() {
     }
     let text = format!("[block]\nwidth = 1\nhalf_height = 2\nrestitution = 0.9\n[ground]\n{sine}\n");
     let found = Scene::parse(&text).unwrap_err().to_string();
+    assert!(
+        found.contains("line 3: half_height is half of the height") && found.contains("height = 4 beside width"),
+        "{found}"
+    );
+    let found = Scene::parse(&text.replace("half_height = 2\n", "")).unwrap_err().to_string();
     assert!(found.contains("of the whole block") && found.contains("half of them"), "{found}");
     let start = format!(
         "[block]\nradius = 1\nslenderness = 0.2\nrestitution = 0.9\n[ground]\n{sine}\n[start]\nrotation = 1.5\n"
     );
     assert!(Scene::parse(&start).unwrap_err().to_string().contains("line 9: rotation = 1.5"));
+}
+
+/// Every row of a history is made of numbers, at the start of a flight too, by either model.
+#[test]
+fn a_history_has_no_gaps() {
+    for (scene, model) in
+        [("one_sine", "nonlinear"), ("one_sine", "linear"), ("earthquake", "nonlinear"), ("earthquake", "linear")]
+    {
+        let arguments = ["response", &format!("data/scenes/{scene}.toml"), "--model", model];
+        let output = Command::cargo_bin("chattercheck").unwrap().args(arguments).output().unwrap();
+        let csv = String::from_utf8(output.stdout).unwrap();
+        assert!(csv.lines().count() > 1000, "{scene}");
+        for row in csv.lines().skip(1) {
+            let finite = row.split(',').take(6).all(|cell| cell.parse().is_ok_and(f64::is_finite));
+            assert!(finite, "{scene}, {model}: {row}");
+        }
+    }
+}
+
+/// What a file says is not overruled in silence, and what it does not say is not guessed.
+#[test]
+fn a_scene_and_its_record_have_to_agree() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes");
+    let parse = |record: &str| {
+        let block = "[block]\nwidth = 0.4\nheight = 2.2\nrestitution = 0.9\n";
+        Scene::parse_in(&format!("{block}[ground]\nrecord = {{ {record} }}\n"), folder.as_ref())
+    };
+    // The units and the step are in the file.
+    let of_file = parse("file = \"shaking.AT2\"").unwrap();
+    assert_eq!(of_file.ground, parse("file = \"shaking.AT2\", units = \"g\", dt = { seconds = 0.02 }").unwrap().ground);
+    for (record, said) in [
+        ("units = \"cm/s2\"", "units are g, the scene units = \"cm/s2\""),
+        ("dt = { seconds = 0.01 }", "0.01"),
+        ("dt = { tau = 0.01 }", "dt = 0.01 tau, and the file says 0.05"),
+        ("direction = 0", "line 6: direction = 0 is outside the allowed range: 1, or -1"),
+        ("direction = \"north\"", "with scale, direction, time_scale"),
+        ("time_scale = 0", "line 6: time_scale = 0"),
+        ("column = 2", "column = 2"),
+        ("colour = 2", "known are file, units, scale, direction, time_scale, dt, column"),
+    ] {
+        let found = parse(&format!("file = \"shaking.AT2\", {record}")).unwrap_err().to_string();
+        assert!(found.contains(said) && found.lines().count() == 1, "{record}: {found}");
+    }
+    // Times are stretched, whatever the file says: the same samples, twice as far apart.
+    let stretched = response(&parse("file = \"shaking.AT2\", time_scale = 2.0").unwrap());
+    let plain = response(&of_file);
+    assert_eq!(stretched.lasts, plain.lasts.map(|lasts| 2.0 * lasts));
+    assert_eq!(stretched.acceleration(20.0), plain.acceleration(10.0));
 }
 
 /// By the command line: what an engineer sees.

@@ -7,6 +7,7 @@ mod flights;
 mod free_rocking;
 mod ground;
 mod one_answer;
+mod overturning;
 mod plan;
 mod response;
 mod rows;

@@ -49,6 +49,12 @@ impl Still {
         2.0 * v * r_f(p * q, self.cos * self.cos * q, self.sin * self.sin * p)
     }
 
+    /// What the rounding of a speed does to the flight that leaves with it: next to the balance that is much.
+    fn first(self, speed: f64) -> f64 {
+        let fastest = self.fastest();
+        2.0 * f64::EPSILON * speed * fastest / ((fastest - speed) * (fastest + speed))
+    }
+
     /// How long infinitely many flights take that start with the speeds `v, ηv, η²v, ...`; `None` where the block would pass the balance, or where there is no
     /// short way: next to the balance with hardly any loss.
     pub fn time_to_rest(self, speed: f64, eta: f64) -> Option<Estimate> {
@@ -74,7 +80,7 @@ impl Still {
             let term = scale * factor * g / -((2.0 * j + 1.0) * rate).exp_m1();
             sum += term;
             if term.abs() <= 0.5 * f64::EPSILON * (1.0 - ratio) * sum {
-                let uncertainty = (ROUNDING + 0.5 * f64::EPSILON * flight.sqrt()) * sum;
+                let uncertainty = (ROUNDING + 0.5 * f64::EPSILON * flight.sqrt()) * sum + self.first(speed);
                 return Some(Estimate { value: sum, uncertainty });
             }
             j += 1.0;

@@ -50,10 +50,16 @@ impl Tail {
             self.certain += 1;
             return enough.then_some(Estimate { value: now + left.value, uncertainty: off });
         }
-        if self.certain == 0 && departure.ground == Ground::Still {
-            self.known = solver
-                .time_to_rest(departure)
+        let is_exact = |known: &Estimate| known.uncertainty <= ACCURACY * known.value;
+        if departure.ground == Ground::Still && (self.certain == 0 || self.known.is_some_and(|known| !is_exact(&known)))
+        {
+            // Next to the balance it hangs on the last digit of the speed: a later impact knows better.
+            let left = solver.time_to_rest(departure);
+            let again = left
                 .map(|left| Estimate { value: now + left.value, uncertainty: left.uncertainty + f64::EPSILON * now });
+            let first = self.known;
+            self.known =
+                again.filter(|again| first.is_none_or(|first| again.uncertainty < first.uncertainty)).or(first);
         }
         self.certain += 1;
         if let Some(known) = self.known {
@@ -127,6 +133,43 @@ mod tests {
         fn time_to_rest(&self, _: &Departure) -> Option<Estimate> {
             Some(Estimate { value: 2.0, uncertainty: 1e-3 })
         }
+    }
+
+    /// A solver that knows little after the first impact and all after the next.
+    struct Learns;
+
+    impl FlightSolver for Learns {
+        fn fly(&self, _: &Departure, _: f64) -> Arrival {
+            Arrival::Lost(contract::Loss::Stalled)
+        }
+
+        fn motion(&self, _: &Departure, _: f64) -> (f64, f64) {
+            (0.0, 0.0)
+        }
+
+        fn rests(&self, _: &Departure) -> bool {
+            true
+        }
+
+        fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
+            let slow = departure.velocity < 0.5;
+            Some(if slow {
+                Estimate { value: 1e-11, uncertainty: 1e-25 }
+            } else {
+                Estimate { value: 2.0, uncertainty: 1e-3 }
+            })
+        }
+    }
+
+    /// An estimate next to the balance, which may be far too late, is not waited for: the impacts would be followed until nothing is left of their speed.
+    #[test]
+    fn a_later_impact_may_know_better() {
+        let fast = Departure { ground: Ground::Still, time: 0.0, side: 1.0, rotation: 0.0, velocity: 0.999 };
+        let slow = Departure { velocity: 0.1, ..fast };
+        let mut tail = Tail::default();
+        assert_eq!(tail.rest(&Learns, (&fast, 1.0, 3.0), 0.9, f64::INFINITY), None);
+        let rest = tail.rest(&Learns, (&slow, 1.0, 4.0), 0.9, f64::INFINITY).unwrap();
+        assert!(rest.value >= 4.0 && rest.value < 4.1 && rest.uncertainty < 1e-14, "{rest:?}");
     }
 
     /// What the solver claims for its sum is claimed for the end of the bout, from the first impact that it is certain of, and no less later on.

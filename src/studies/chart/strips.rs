@@ -159,7 +159,8 @@ impl<'a> Scaled<'a> {
         for (slot, series) in strip.series.iter().enumerate() {
             let slot = series.slot.unwrap_or(slot);
             let series = Series { points: thin::seen(&series.points, column), ..series.clone() };
-            plot.series(canvas, &series, Ink::of(slot), 0);
+            // Lines in strips of their own need no dashes to be told apart.
+            plot.series(canvas, &series, Ink { dash: &[], ..Ink::of(slot) }, 0);
         }
         let mut columns: Vec<i64> = strip.strokes.1.iter().filter(|at| x.holds(**at)).map(|at| column(*at)).collect();
         columns.dedup();

@@ -157,6 +157,9 @@ impl FlightSolver for Flights {
     }
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
+        if !(s > 0.0) {
+            return (departure.rotation, departure.velocity);
+        }
         let (mut from, mut left) = (*departure, s);
         loop {
             let (arrival, elapsed, (rotation, velocity)) = self.follow(&from, left);
