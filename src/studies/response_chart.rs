@@ -37,11 +37,15 @@ impl Drawn<'_> {
     pub fn svg(&self) -> Result<String, Error> {
         let title = if self.scene.title.is_empty() { "Response of a block" } else { &self.scene.title };
         let told = self.account.told();
-        let said = told.iter().filter(|(name, _)| ["largest rotation", "to overturning"].contains(name));
-        let said: Vec<String> = said.map(|(name, what)| format!("{name}: {what}")).collect();
-        let caption = if said.is_empty() { "The block does not rock".to_owned() } else { said.join("; ") };
+        let said = |wanted| told.iter().find(|(name, _)| *name == wanted).map_or("", |(_, what)| what.as_str());
+        let caption = match self.account.largest_rotation {
+            None => "The block does not rock.".to_owned(),
+            Some(_) => {
+                format!("Largest rotation {}. To overturning: {}.", said("largest rotation"), said("to overturning"))
+            }
+        };
         let strips = [Some(self.ground()), Some(self.rotation()), self.magnified()];
-        Strips { title: title.to_owned(), caption: caption + ".", strips: strips.into_iter().flatten().collect() }.svg()
+        Strips { title: title.to_owned(), caption, strips: strips.into_iter().flatten().collect() }.svg()
     }
 
     fn seconds(&self, tau: f64) -> f64 {

@@ -148,8 +148,9 @@ impl Account {
     pub fn told(&self) -> Vec<(&'static str, String)> {
         let Self { width, height, threshold, alpha, times_of_rocking, complete, impacts, rests, end, .. } = self;
         let lasts = self.duration.map_or("without end".to_owned(), |duration| format!("{duration:.4} s"));
+        let (width, height) = (short(*width), short(*height));
         let block =
-            format!("{width:.4} m wide, {height:.4} m high; an impact leaves {:.4} of the velocity", self.restitution);
+            format!("{width} m wide, {height} m high; an impact leaves {:.4} of the velocity", self.restitution);
         let ground = format!("{}, {lasts}, at most {:.4} g", self.ground, self.strongest);
         let asked = [("block", block), ("ground", ground)];
         let (Some(begin), Some(largest)) = (self.begins_to_rock, self.largest_rotation) else {
@@ -178,7 +179,7 @@ impl Account {
         };
         let happens = [
             ("begins to rock", format!("at {begin:.4} s; on its base it takes {threshold:.4} g to begin")),
-            ("largest rotation", format!("{} degrees, at {seconds:.4} s", significant(degrees))),
+            ("largest rotation", format!("{} degrees, at {seconds:.4} s", short(degrees))),
             ("to overturning", format!("{closest}; it stands on its corner at alpha = {alpha:.4} degrees")),
             ("impacts", format!("{impacts} resolved, in {times_of_rocking} {times} of rocking{endless}")),
             ("rests", rests),
@@ -202,9 +203,7 @@ impl Account {
     }
 }
 
-/// Four digits that count, of what may be tiny.
-fn significant(value: f64) -> String {
-    let exponent = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
-    let decimals = (3.0 - exponent).clamp(1.0, 15.0) as usize;
-    format!("{value:.decimals$}")
+/// A number with the four digits of it that count.
+fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }
