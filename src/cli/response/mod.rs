@@ -11,6 +11,7 @@ use std::{
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
+        closed::Closed,
         response::{BoutEnd, Request, Sample, State, Termination, Window},
         scene::{self, Scene},
     },
@@ -21,7 +22,7 @@ use chattercheck::{
     },
 };
 use clap::{Args, ValueEnum, builder::PossibleValue};
-use contract::{Case, Decline, Invalid};
+use contract::{Case, Decline, Invalid, Oracle};
 use serde::Serialize;
 
 use super::{
@@ -61,6 +62,9 @@ pub(super) struct Arguments {
     /// For the chattering threshold: the fit of the critical amplitude below which it applies [default: eq76]
     #[arg(long, value_enum)]
     condition: Option<Fit>,
+    /// How the infinite sum is closed where chattering is ended exactly: from the list of impacts, or from the last one alone, by its local series
+    #[arg(long, value_enum, default_value_t = Closing::Impacts)]
+    closing: Closing,
     /// Follow the block to this time at the most: tau, as in 2.5, or seconds, as in 2.5s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<Moment>,
@@ -104,6 +108,12 @@ enum Scheme {
     Chattering,
 }
 
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Closing {
+    Impacts,
+    Series,
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum Fit {
     Eq76,
@@ -129,6 +139,13 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let oracle = match &asked {
         Asked::Sinusoid(_) => panel::stepper_of(scene.ask.model),
         Asked::Motion(request) => panel::stepper_on(&request.body, &request.motion),
+    };
+    let oracle: Box<dyn Oracle> = match arguments.closing {
+        Closing::Impacts => oracle,
+        Closing::Series => {
+            let closing = panel::closing();
+            Box::new(Closed::new(format!("{} closed by {}", oracle.name(), closing.name()), oracle, closing))
+        }
     };
     let oracle = oracle.as_ref();
     let declined = |decline: Decline| anyhow!("{} declines: {decline}", oracle.name());
@@ -195,6 +212,10 @@ impl Arguments {
                 self.velocity_threshold.unwrap_or_default(),
                 "only with --termination velocity"
             )
+        );
+        ensure!(
+            self.closing == Closing::Impacts || self.termination == Scheme::Exact,
+            Invalid::new("closing", "series", "only with --termination exact")
         );
         if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
             let typed = condition.to_possible_value();
