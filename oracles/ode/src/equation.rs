@@ -6,6 +6,7 @@
 use contract::{Case, Decline, Normalisation, Slenderness};
 
 use crate::Equation;
+use crate::forcing::{Change, Forcing, Wave};
 
 /// The frequency ratios that the integration is offered for: outside, one of the two time scales is lost beside the other.
 const OMEGA: core::ops::RangeInclusive<f64> = 1e-6..=1e6;
@@ -15,7 +16,7 @@ const LEAST_EPSILON: f64 = 1e-60;
 /// An equation of motion with its excitation `f = a sin(omega tau + psi)`, `sin(psi) = 1/a` (Eq. 12).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Motion {
-    /// The amplitude, in units of the threshold of this equation; 0 on still ground.
+    /// The amplitude, in units of the threshold of this equation.
     pub a: f64,
     pub omega: f64,
     /// `delta = pi/2 - psi`, so that `f = a cos(omega tau - delta)` and `a cos(delta) = 1`.
@@ -39,9 +40,7 @@ impl Motion {
             (Equation::Linear, _) => (Shape::Slender, case.epsilon()),
             (Equation::Nonlinear, None) => return Err(Decline::NeedsSlenderness),
             (Equation::Nonlinear, Some(slenderness)) => {
-                let alpha = slenderness.alpha();
-                let (sin, cos) = alpha.sin_cos();
-                (Shape::Exact { alpha, sin, cos }, threshold_excess(case.epsilon(), slenderness).0)
+                (Shape::exact(slenderness.alpha()), threshold_excess(case.epsilon(), slenderness).0)
             }
         };
         if epsilon <= 0.0 {
@@ -61,17 +60,9 @@ impl Motion {
         Ok(Some(Self { a, omega, delta, shape }))
     }
 
-    /// The same block on ground that has come to rest.
-    pub fn on_still_ground(self) -> Self {
-        Self { a: 0.0, ..self }
-    }
-
     /// `i + f(tau)` as a product, which keeps its relative accuracy where the sum would cancel:
     /// `f - 1 = a [cos(2y - delta) - cos(delta)]` and `f + 1 = a [cos(2y - delta) + cos(delta)]` with `y = omega tau/2`.
     pub fn excess(&self, i: f64, tau: f64) -> f64 {
-        if self.a == 0.0 {
-            return i;
-        }
         let y = 0.5 * self.omega * tau;
         if i < 0.0 {
             2.0 * self.a * y.sin() * (self.delta - y).sin()
@@ -81,48 +72,10 @@ impl Motion {
     }
 
     /// The excitation seen from the start of a flight of sign `i` at `tau`.
-    pub fn forcing(&self, i: f64, tau: f64) -> Forcing {
+    pub fn forcing(&self, i: f64, tau: f64) -> Forcing<'static> {
         let (sin, cos) = (self.omega * tau - self.delta).sin_cos();
-        Forcing {
-            excess: self.excess(i, tau),
-            f: self.a * cos,
-            quadrature: -self.a * sin,
-            half_omega: 0.5 * self.omega,
-        }
-    }
-
-    /// `phi''` of Eq. 4 or Eq. 2, where `g = i + f`.
-    ///
-    /// Eq. 4 is `phi'' = phi - i - f` as it stands. In Eq. 2, with `u_g''/g = tan(alpha) f`, the terms that do not vanish with `phi` and
-    /// `g` cancel exactly, which leaves `phi'' = [sin(alpha phi) - g sin(alpha) cos(alpha (i - phi))] / (alpha cos(alpha))`.
-    #[inline]
-    pub fn acceleration(&self, i: f64, g: f64, phi: f64) -> f64 {
-        match self.shape {
-            Shape::Slender => phi - g,
-            Shape::Exact { alpha, sin, cos } => {
-                let (s, c) = (alpha * phi).sin_cos();
-                (s - g * sin * (cos * c + i * sin * s)) / (alpha * cos)
-            }
-        }
-    }
-
-    /// `d phi''/d phi`, the Jacobian that the implicit methods need.
-    pub fn stiffness(&self, i: f64, g: f64, phi: f64) -> f64 {
-        match self.shape {
-            Shape::Slender => 1.0,
-            Shape::Exact { alpha, sin, cos } => {
-                let (s, c) = (alpha * phi).sin_cos();
-                (c - g * sin * (i * sin * c - cos * s)) / cos
-            }
-        }
-    }
-
-    /// `phi''/(-g)` at `phi = 0`: 1 for Eq. 4, `sin(alpha)/alpha` for Eq. 2.
-    pub fn gain(&self) -> f64 {
-        match self.shape {
-            Shape::Slender => 1.0,
-            Shape::Exact { alpha, sin, .. } => sin / alpha,
-        }
+        let wave = Wave { value: self.a * cos, quadrature: -self.a * sin, half_omega: 0.5 * self.omega };
+        Forcing { excess: self.excess(i, tau), change: Change::Wave(wave) }
     }
 
     /// The time at which the excitation is the mirror image of its start, `T/2 = pi/omega`.
@@ -131,31 +84,45 @@ impl Motion {
     }
 }
 
-/// The excitation in the local time `s` of a flight.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Forcing {
-    /// `i + f` at `s = 0`.
-    pub excess: f64,
-    /// `f = a sin(theta)` at `s = 0`.
-    f: f64,
-    /// `a cos(theta)` at `s = 0`.
-    quadrature: f64,
-    half_omega: f64,
-}
-
-impl Forcing {
-    /// `i + f` at `s`: its value at the start and an increment that vanishes with `s`,
-    /// `a sin(theta + omega s) - a sin(theta) = 2 sin(omega s/2) [a cos(theta) cos(omega s/2) - a sin(theta) sin(omega s/2)]`.
-    #[inline]
-    pub fn at(&self, s: f64) -> f64 {
-        let (sin, cos) = (self.half_omega * s).sin_cos();
-        self.excess + 2.0 * sin * (self.quadrature * cos - self.f * sin)
+impl Shape {
+    /// Of the block as it is, of slenderness `alpha`.
+    pub fn exact(alpha: f64) -> Self {
+        let (sin, cos) = alpha.sin_cos();
+        Self::Exact { alpha, sin, cos }
     }
 
-    /// `f'` and `f''` at `s = 0`.
-    pub fn derivatives(&self) -> (f64, f64) {
-        let omega = 2.0 * self.half_omega;
-        (omega * self.quadrature, -omega * omega * self.f)
+    /// `phi''` of Eq. 4 or Eq. 2, where `g = i + f`.
+    ///
+    /// Eq. 4 is `phi'' = phi - i - f` as it stands. In Eq. 2, with `u_g''/g = tan(alpha) f`, the terms that do not vanish with `phi` and
+    /// `g` cancel exactly, which leaves `phi'' = [sin(alpha phi) - g sin(alpha) cos(alpha (i - phi))] / (alpha cos(alpha))`.
+    #[inline]
+    pub fn acceleration(&self, i: f64, g: f64, phi: f64) -> f64 {
+        match *self {
+            Self::Slender => phi - g,
+            Self::Exact { alpha, sin, cos } => {
+                let (s, c) = (alpha * phi).sin_cos();
+                (s - g * sin * (cos * c + i * sin * s)) / (alpha * cos)
+            }
+        }
+    }
+
+    /// `d phi''/d phi`, the Jacobian that the implicit methods need.
+    pub fn stiffness(&self, i: f64, g: f64, phi: f64) -> f64 {
+        match *self {
+            Self::Slender => 1.0,
+            Self::Exact { alpha, sin, cos } => {
+                let (s, c) = (alpha * phi).sin_cos();
+                (c - g * sin * (i * sin * c - cos * s)) / cos
+            }
+        }
+    }
+
+    /// `phi''/(-g)` at `phi = 0`: 1 for Eq. 4, `sin(alpha)/alpha` for Eq. 2.
+    pub fn gain(&self) -> f64 {
+        match *self {
+            Self::Slender => 1.0,
+            Self::Exact { alpha, sin, .. } => sin / alpha,
+        }
     }
 }
 
@@ -206,7 +173,7 @@ mod tests {
         let motion = motion(&case(1.3, 1.7), Equation::Linear);
         for (i, tau, s, phi) in [(-1.0, 0.0, 0.3, -0.2), (1.0, 0.4, 0.9, 0.5), (-1.0, 2.0, 0.01, -1e-4)] {
             let expected = phi - i - printed(1.3, 1.7, tau + s);
-            let found = motion.acceleration(i, motion.forcing(i, tau).at(s), phi);
+            let found = motion.shape.acceleration(i, motion.forcing(i, tau).at(s), phi);
             assert!((found - expected).abs() < 1e-14, "{found} {expected}");
         }
     }
@@ -232,11 +199,12 @@ mod tests {
                 let angle: f64 = alpha * (i - phi);
                 let expected = -(angle.sin() + ug * angle.cos()) / alpha;
                 let g = motion.forcing(i, tau).at(s);
-                let found = motion.acceleration(i, g, phi);
+                let found = motion.shape.acceleration(i, g, phi);
                 assert!((found - expected).abs() < 1e-13, "{found} {expected}");
                 let h = 1e-6;
-                let slope = (motion.acceleration(i, g, phi + h) - motion.acceleration(i, g, phi - h)) / (2.0 * h);
-                assert!((motion.stiffness(i, g, phi) - slope).abs() < 1e-8, "{slope}");
+                let slope =
+                    (motion.shape.acceleration(i, g, phi + h) - motion.shape.acceleration(i, g, phi - h)) / (2.0 * h);
+                assert!((motion.shape.stiffness(i, g, phi) - slope).abs() < 1e-8, "{slope}");
             }
         }
     }
@@ -291,7 +259,7 @@ mod tests {
         for motion in [motion(&case(1.3, 1.7), Equation::Linear), block(0.2), block(1.1)] {
             for g in [-0.4, 0.1, 2.0] {
                 for i in [1.0, -1.0] {
-                    assert!((motion.acceleration(i, g, 0.0) + motion.gain() * g).abs() < 1e-15, "{g} {i}");
+                    assert!((motion.shape.acceleration(i, g, 0.0) + motion.shape.gain() * g).abs() < 1e-15, "{g} {i}");
                 }
             }
         }

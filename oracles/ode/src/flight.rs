@@ -6,7 +6,8 @@ use contract::Loss;
 use diffsol::{OdeSolverMethod, OdeSolverStopReason};
 
 use crate::Solver;
-use crate::equation::{Forcing, Motion};
+use crate::equation::{Motion, Shape};
+use crate::forcing::Forcing;
 use crate::launch::{Equations, Flight, Launch, Outcome};
 use crate::piece::{Knot, Piece};
 
@@ -19,9 +20,9 @@ const WHOLE_FLIGHT: f64 = 1.05;
 
 /// The equation of motion of one flight, in its own units.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scaled {
-    motion: Motion,
-    forcing: Forcing,
+pub(crate) struct Scaled<'a> {
+    shape: Shape,
+    forcing: Forcing<'a>,
     i: f64,
     /// The unit of time, `T`.
     pub time: f64,
@@ -37,19 +38,23 @@ pub(crate) struct Scaled {
     start_velocity: f64,
 }
 
-impl Scaled {
+impl<'a> Scaled<'a> {
+    /// Units for the flight under the motion of a case that starts as `launch` says.
+    pub fn of_case(motion: &Motion, launch: &Launch) -> Self {
+        Self::new(motion.shape, motion.forcing(launch.i, launch.tau), launch)
+    }
+
     /// Units for the flight that starts as `launch` says.
     ///
     /// With `c_k = i phi^(k)/k!` the coefficients of the rotation away from the base, a coefficient that points back balances one that
     /// points away after the time `(c_j/|c_k|)^(1/(k-j))`. `T` is the first time at which some `c_k < 0` balances all those before it:
     /// `2 |v|/|phi''|` for an ordinary flight, `4 sqrt(eps (2 + eps))/omega` for the first (where only jerk and snap are left), and
     /// otherwise no more than the time in which the excitation or the unstable equilibrium change things.
-    pub fn new(motion: &Motion, launch: &Launch) -> Self {
-        let Launch { i, tau, rotation, velocity } = *launch;
-        let forcing = motion.forcing(i, tau);
+    pub fn new(shape: Shape, forcing: Forcing<'a>, launch: &Launch) -> Self {
+        let Launch { i, rotation, velocity, .. } = *launch;
         let (slope, curvature) = forcing.derivatives();
         // The derivatives of Eq. 4, with the gain of Eq. 2: the estimate need not be better than that.
-        let gain = motion.gain();
+        let gain = shape.gain();
         let second = rotation - gain * forcing.excess;
         let third = velocity - gain * slope;
         let fourth = second - gain * curvature;
@@ -60,10 +65,10 @@ impl Scaled {
             times.fold(0.0, f64::max)
         };
         let returning = c.iter().filter(|&&(_, ck)| ck < 0.0).map(balance).filter(|&t| t > 0.0);
-        let time = returning.fold(1.0 / motion.omega.max(1.0), f64::min);
+        let time = returning.fold(1.0 / forcing.rate().max(1.0), f64::min);
         let unit = c.iter().map(|&(k, ck)| ck.abs() * time.powi(k)).fold(0.0, f64::max);
         Self {
-            motion: *motion,
+            shape,
             forcing,
             i,
             time,
@@ -79,13 +84,13 @@ impl Scaled {
     #[inline]
     pub fn acceleration(&self, xi: f64, chi: f64) -> f64 {
         let g = self.forcing.at(self.time * xi);
-        self.motion.acceleration(self.i, g, self.rotation * chi) * self.per_acceleration
+        self.shape.acceleration(self.i, g, self.rotation * chi) * self.per_acceleration
     }
 
     /// The derivative of [`Self::acceleration`] by `chi`.
     pub fn stiffness(&self, xi: f64, chi: f64) -> f64 {
         let g = self.forcing.at(self.time * xi);
-        self.motion.stiffness(self.i, g, self.rotation * chi) * self.time * self.time
+        self.shape.stiffness(self.i, g, self.rotation * chi) * self.time * self.time
     }
 
     /// The function whose sign the solver watches: the rotation with its known root at `xi = 0` divided out, simple after an impact and
@@ -111,7 +116,7 @@ impl Scaled {
     /// A first step that the error test is likely to accept. The embedded method of order `q` is exact for the parabola that a flight
     /// is but for terms of the relative size `(omega T)^(q-1)`.
     fn first_step(&self, method: Solver, rtol: f64) -> f64 {
-        let change = self.motion.omega.max(1.0) * self.time;
+        let change = self.forcing.rate().max(1.0) * self.time;
         match method {
             Solver::Tsit45 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change * change)).powf(0.2)),
             Solver::Esdirk34 => WHOLE_FLIGHT.min(6.0 * (rtol / (change * change)).powf(0.25)),
@@ -153,22 +158,33 @@ enum Told {
 fn told(reason: &OdeSolverStopReason<f64>, sign_changes: usize, off_base: bool) -> Told {
     match (reason, sign_changes) {
         (OdeSolverStopReason::RootFound(guess, _), 1) => Told::Impact(*guess),
-        (OdeSolverStopReason::InternalTimestep, 0) if off_base => Told::InTheAir,
+        (OdeSolverStopReason::InternalTimestep | OdeSolverStopReason::TstopReached, 0) if off_base => Told::InTheAir,
         _ => Told::Unclear,
     }
 }
 
+/// How far a flight is followed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Leg {
+    /// For how long.
+    pub lasts: f64,
+    /// Whether the ground is another function from then on: a step ends there. Otherwise the last one goes over it.
+    pub breaks: bool,
+    /// A bound on `|f|` from the start on, by which a block is past the point of no return; none for one that is only watched.
+    pub strongest: Option<f64>,
+}
+
 /// A solver that flies each flight in the units that it finds in `units`, where the equations of its problem read them too.
-pub(crate) struct Rescaled<'c, S> {
+pub(crate) struct Rescaled<'c, 'f, S> {
     pub solver: S,
-    pub units: &'c Cell<Scaled>,
-    pub motion: Motion,
+    pub units: &'c Cell<Scaled<'f>>,
     pub method: Solver,
     pub rtol: f64,
 }
 
-impl<S> Rescaled<'_, S> {
-    fn place<'a, E: Equations + 'a>(&mut self, knot: &Knot, h: f64)
+impl<'f, S> Rescaled<'_, 'f, S> {
+    /// Starts from here, towards a time to stop at if there is one.
+    fn place<'a, E: Equations + 'a>(&mut self, knot: &Knot, h: f64, stop: Option<f64>) -> Result<(), Loss>
     where
         S: OdeSolverMethod<'a, E>,
     {
@@ -177,75 +193,93 @@ impl<S> Rescaled<'_, S> {
         // Tsit45 takes its first stage from here, and BDF its first difference.
         (state.dy[0], state.dy[1]) = (knot.dy, knot.ddy);
         (*state.t, *state.h) = (knot.t, h);
+        let Some(stop) = stop else { return Ok(()) };
+        *state.h = h.min(stop - knot.t);
+        self.solver.set_stop_time(stop).map_err(|_| Loss::SolverFailed)
     }
-}
 
-impl<S> Rescaled<'_, S> {
-    /// Where a flight ends, with the state there: the rotation and the velocity away from the base. One that is only `watched` is followed to its time
-    /// although it is certain that it overturns.
-    pub fn follow<'a, E: Equations + 'a>(
-        &mut self,
-        launch: &Launch,
-        time_left: f64,
-        watched: bool,
-    ) -> (Outcome, (f64, f64))
+    /// Where a flight ends, with the state there: the rotation and the velocity away from the base.
+    pub fn follow<'a, E: Equations + 'a>(&mut self, scaled: Scaled<'f>, leg: &Leg) -> (Outcome, (f64, f64))
     where
         S: OdeSolverMethod<'a, E>,
     {
-        let scaled = Scaled::new(&self.motion, launch);
+        let start = scaled.start();
+        let state = Cell::new(scaled.away_from_base(start.y, start.dy));
+        let outcome = self.steps(scaled, leg, &state).unwrap_or_else(Outcome::Lost);
+        (outcome, state.get())
+    }
+
+    /// Step by step; `state` is where it has got to.
+    fn steps<'a, E: Equations + 'a>(
+        &mut self,
+        scaled: Scaled<'f>,
+        leg: &Leg,
+        state: &Cell<(f64, f64)>,
+    ) -> Result<Outcome, Loss>
+    where
+        S: OdeSolverMethod<'a, E>,
+    {
         self.units.set(scaled);
+        let left = leg.lasts / scaled.time;
+        let stop = leg.breaks.then_some(left);
         let mut from = scaled.start();
-        let mut state = scaled.away_from_base(from.y, from.dy);
-        self.place(&from, scaled.first_step(self.method, self.rtol));
+        self.place(&from, scaled.first_step(self.method, self.rtol), stop)?;
         let mut halvings = 0;
         for _ in 0..MOST_STEPS {
-            let Ok(reason) = self.solver.step() else {
-                return (Outcome::Lost(Loss::SolverFailed), state);
-            };
+            let reason = self.solver.step().map_err(|_| Loss::SolverFailed)?;
             let stepped = self.solver.state();
             let (t, y) = (stepped.t, stepped.y[0]);
             let to = Knot { t, y, dy: stepped.y[1], ddy: scaled.acceleration(t, y) };
             if !to.is_finite() {
-                return (Outcome::Lost(Loss::NotFinite), state);
+                return Err(Loss::NotFinite);
             }
             if to.t <= from.t {
-                return (Outcome::Lost(Loss::Stalled), state);
+                return Err(Loss::Stalled);
             }
             let piece = Piece::between(&from, &to);
-            let end = (time_left / scaled.time).min(to.t);
+            let is_last = matches!(reason, OdeSolverStopReason::TstopReached);
+            let end = if is_last { left } else { left.min(to.t) };
             let at_end = |(chi, dchi)| scaled.away_from_base(chi, dchi);
             match told(&reason, piece.sign_changes(), scaled.i * to.y > 0.0) {
                 Told::Impact(guess) => {
                     let (xi, slope) = piece.root_near(guess);
                     let (_, du) = scaled.away_from_base(0.0, slope);
-                    let outcome = Outcome::landed(xi * scaled.time, -du, time_left);
-                    let state = if matches!(outcome, Outcome::TimeIsUp) { at_end(piece.at(end)) } else { (0.0, du) };
-                    return (outcome, state);
+                    // Under another ground it does not fly on: what was seen to land before has landed.
+                    let (interval, within) = if leg.breaks {
+                        ((xi * scaled.time).min(leg.lasts), f64::INFINITY)
+                    } else {
+                        (xi * scaled.time, leg.lasts)
+                    };
+                    let outcome = Outcome::landed(interval, -du, within);
+                    state.set(if matches!(outcome, Outcome::TimeIsUp) { at_end(piece.at(end)) } else { (0.0, du) });
+                    return Ok(outcome);
                 }
                 Told::InTheAir => {}
                 Told::Unclear if halvings < MOST_HALVINGS => {
                     halvings += 1;
-                    self.place(&from, 0.5 * (to.t - from.t));
+                    self.place(&from, 0.5 * (to.t - from.t), stop)?;
                     continue;
                 }
-                Told::Unclear => return (Outcome::Lost(Loss::FellThrough), state),
+                Told::Unclear => return Err(Loss::FellThrough),
             }
-            state = at_end(piece.at(end));
-            if !watched && self.motion.is_past_return(state.0, state.1) {
-                return (Outcome::Overturned { after: end * scaled.time }, state);
+            let (u, du) = at_end(piece.at(end));
+            state.set((u, du));
+            if leg.strongest.is_some_and(|strongest| scaled.shape.is_past_return(strongest, u, du)) {
+                return Ok(Outcome::Overturned { after: end * scaled.time });
             }
-            if end < to.t {
-                return (Outcome::TimeIsUp, state);
+            if is_last || end < to.t {
+                return Ok(Outcome::TimeIsUp);
             }
             from = to;
         }
-        (Outcome::Lost(Loss::SolverFailed), state)
+        Err(Loss::SolverFailed)
     }
 }
 
-impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescaled<'_, S> {
-    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome {
-        self.follow(launch, time_left, false).0
+impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Rescaled<'_, '_, S> {
+    fn fly(&mut self, motion: &Motion, launch: &Launch, time_left: f64) -> Outcome {
+        let leg = Leg { lasts: time_left, breaks: false, strongest: Some(motion.a) };
+        self.follow(Scaled::of_case(motion, launch), &leg).0
     }
 }
 
@@ -275,10 +309,12 @@ mod tests {
             for changes in 1..=5 {
                 assert_eq!(told(&OdeSolverStopReason::InternalTimestep, changes, off_base), Told::Unclear, "{changes}");
             }
-            assert_eq!(told(&OdeSolverStopReason::TstopReached, 0, off_base), Told::Unclear);
         }
-        assert_eq!(told(&OdeSolverStopReason::InternalTimestep, 0, true), Told::InTheAir);
-        assert_eq!(told(&OdeSolverStopReason::InternalTimestep, 0, false), Told::Unclear);
+        for reason in [OdeSolverStopReason::InternalTimestep, OdeSolverStopReason::TstopReached] {
+            assert_eq!(told(&reason, 0, true), Told::InTheAir);
+            assert_eq!(told(&reason, 0, false), Told::Unclear);
+            assert_eq!(told(&reason, 1, true), Told::Unclear);
+        }
     }
 
     fn is_near(a: f64, b: f64) -> bool {
@@ -291,8 +327,8 @@ mod tests {
         for motion in motions(0.03, 2.0) {
             for (i, tau) in [(1.0, 0.5), (-1.0, 0.8)] {
                 for speed in [1e-6, 1e-40, 1e-130] {
-                    let scaled = Scaled::new(&motion, &Launch { i, tau, rotation: 0.0, velocity: i * speed });
-                    let acceleration = motion.gain() * motion.excess(i, tau).abs();
+                    let scaled = Scaled::of_case(&motion, &Launch { i, tau, rotation: 0.0, velocity: i * speed });
+                    let acceleration = motion.shape.gain() * motion.excess(i, tau).abs();
                     assert!((scaled.time / (2.0 * speed / acceleration) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
                     assert!((scaled.rotation / (speed * scaled.time) - 1.0).abs() < 1e-4, "{i} {speed}: {scaled:?}");
                     assert!((scaled.start_velocity - i).abs() < 1e-4, "{i} {speed}: {scaled:?}");
@@ -305,18 +341,19 @@ mod tests {
     #[test]
     fn the_first_flight_has_the_units_of_its_jerk() {
         let first = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
-        for [linear, nonlinear] in [motions(1e-4, 0.5), motions(1e-6, 1.0)] {
-            let [linear, nonlinear] = [linear, nonlinear].map(|motion| Scaled::new(&motion, &first));
-            let epsilon = linear.motion.a - 1.0;
-            let expected = 4.0 * (epsilon * (2.0 + epsilon)).sqrt() / linear.motion.omega;
+        for motions in [motions(1e-4, 0.5), motions(1e-6, 1.0)] {
+            let [linear, nonlinear] = motions.map(|motion| Scaled::of_case(&motion, &first));
+            let [Motion { a, omega, .. }, _] = motions;
+            let epsilon = a - 1.0;
+            let expected = 4.0 * (epsilon * (2.0 + epsilon)).sqrt() / omega;
             assert!((linear.time / expected - 1.0).abs() < 1e-9, "{linear:?}");
             assert!(is_near(nonlinear.time, linear.time) && linear.start_velocity == 0.0);
             // c_3 T^3 = c_4 T^4
-            let jerk = linear.motion.forcing(-1.0, 0.0).derivatives().0;
+            let jerk = linear.forcing.derivatives().0;
             assert!((linear.rotation / (jerk / 6.0 * linear.time.powi(3)) - 1.0).abs() < 1e-9, "{linear:?}");
         }
         for (epsilon, omega, longest) in [(0.8, 5.0, 0.2), (0.8, 0.3, 1.0)] {
-            let [linear, nonlinear] = motions(epsilon, omega).map(|motion| Scaled::new(&motion, &first));
+            let [linear, nonlinear] = motions(epsilon, omega).map(|motion| Scaled::of_case(&motion, &first));
             assert!(is_near(linear.time, longest) && is_near(nonlinear.time, longest));
         }
     }
@@ -325,10 +362,10 @@ mod tests {
     fn the_equation_in_units_of_the_flight_is_that_of_the_block() {
         for motion in motions(0.2, 3.0) {
             for (i, tau, velocity) in [(-1.0, 0.0, 0.0), (1.0, 0.4, 0.05), (-1.0, 0.6, -0.3)] {
-                let scaled = Scaled::new(&motion, &Launch { i, tau, rotation: 0.0, velocity });
+                let scaled = Scaled::of_case(&motion, &Launch { i, tau, rotation: 0.0, velocity });
                 for (xi, chi) in [(0.2, 0.1), (0.7, -0.3), (1.0, 0.4)] {
                     let g = motion.forcing(i, tau).at(xi * scaled.time);
-                    let unscaled = motion.acceleration(i, g, chi * scaled.rotation);
+                    let unscaled = motion.shape.acceleration(i, g, chi * scaled.rotation);
                     let found = scaled.acceleration(xi, chi) * scaled.rotation / scaled.time.powi(2);
                     assert!((found - unscaled).abs() < 1e-14, "{found} {unscaled}");
                     let h = 1e-5;
@@ -352,8 +389,8 @@ mod tests {
     #[test]
     fn the_event_has_the_sign_of_the_flight_until_its_end() {
         let [motion, _] = motions(0.03, 2.0);
-        let later = Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: 0.01 });
-        let first = Scaled::new(&motion, &Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 });
+        let later = Scaled::of_case(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: 0.01 });
+        let first = Scaled::of_case(&motion, &Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 });
         assert_eq!((later.event(0.0, 0.0), first.event(0.0, 0.0), first.event(-0.1, 5.0)), (1.0, -1.0, -1.0));
         for xi in [0.25, 0.5, 2.0] {
             assert_eq!(later.event(xi, xi * (1.0 - xi)), 1.0 - xi);
@@ -365,7 +402,8 @@ mod tests {
     #[test]
     fn the_first_step_follows_the_tolerance_and_the_change_in_a_flight() {
         let [motion, _] = motions(0.03, 2.0);
-        let flight = |speed: f64| Scaled::new(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: speed });
+        let flight =
+            |speed: f64| Scaled::of_case(&motion, &Launch { i: 1.0, tau: 0.5, rotation: 0.0, velocity: speed });
         for (method, order, change) in
             [(Solver::Tsit45, 5.0, 3.0), (Solver::Esdirk34, 4.0, 2.0), (Solver::TrBdf2, 3.0, 1.0)]
         {

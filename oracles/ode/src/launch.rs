@@ -3,6 +3,8 @@
 use contract::Loss;
 use diffsol::{NalgebraContext, NalgebraMat, NalgebraVec, OdeEquationsImplicit};
 
+use crate::equation::Motion;
+
 /// The matrices that the solvers work with.
 pub(crate) type Matrix = NalgebraMat<f64>;
 
@@ -50,9 +52,9 @@ impl Outcome {
     }
 }
 
-/// Something that flies one flight after the other.
+/// Something that flies one flight of a case after the other.
 pub(crate) trait Flight<'a, E> {
-    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome;
+    fn fly(&mut self, motion: &Motion, launch: &Launch, time_left: f64) -> Outcome;
 }
 
 #[cfg(test)]

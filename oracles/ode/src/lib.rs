@@ -16,8 +16,11 @@ mod ending;
 mod equation;
 mod flight;
 mod flights;
+mod forcing;
+mod ground;
 mod launch;
 mod naive;
+mod on_motion;
 mod piece;
 mod run;
 
@@ -25,9 +28,11 @@ use core::cell::Cell;
 use core::fmt;
 use core::str::FromStr;
 
-use contract::{Case, Decline, Ending, FlightSolver, History, Invalid, Model, Oracle};
+use contract::{Body, Case, Decline, Ending, FlightSolver, History, Invalid, Model, Oracle};
 
 use crate::equation::Motion;
+use crate::flights::{OnCase, Single};
+use crate::on_motion::OnMotion;
 
 /// The equation of motion between impacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -224,6 +229,10 @@ impl Ode {
         })
     }
 
+    fn single(&self) -> Single {
+        Single { method: self.method, rtol: self.rtol }
+    }
+
     fn named(self) -> Self {
         let suffix = match self.flights {
             Flights::Rescaled => "",
@@ -254,11 +263,22 @@ impl Oracle for Ode {
         }
         Ok(history)
     }
+
     /// From a single run each, in its own units at the tolerance of this oracle: as accurate as its impacts, whatever [`Ode::flights`] says of whole
     /// histories.
     fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
         let motion = Motion::new(case, self.equation)?;
         let motion = motion.ok_or(Decline::Unsupported { what: "flights of a block that never rocks" })?;
-        Ok(Box::new(flights::SingleFlights { method: self.method, rtol: self.rtol, eta: case.eta(), motion }))
+        Ok(Box::new(OnCase { single: self.single(), eta: case.eta(), motion }))
+    }
+
+    /// As [`Oracle::flights`]; never on one clock for all.
+    fn flights_on(&self, body: &Body, motion: &contract::Motion) -> Result<Box<dyn FlightSolver>, Decline> {
+        if self.flights == Flights::Naive {
+            return Err(Decline::Unsupported {
+                what: "other motions of the ground than that of a case on one clock for all flights",
+            });
+        }
+        Ok(Box::new(OnMotion::new(self.single(), self.equation, body, motion)?))
     }
 }

@@ -22,11 +22,10 @@ pub(crate) struct Naive<'c, S> {
     pub solver: S,
     pub sign: &'c Cell<f64>,
     pub restart: Restart,
-    pub motion: Motion,
 }
 
 impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'_, S> {
-    fn fly(&mut self, launch: &Launch, time_left: f64) -> Outcome {
+    fn fly(&mut self, motion: &Motion, launch: &Launch, time_left: f64) -> Outcome {
         let &Launch { i, velocity, .. } = launch;
         self.sign.set(i);
         let state = self.solver.state_mut();
@@ -37,9 +36,9 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'
             _ => 0.0,
         };
         (state.y[0], state.y[1]) = (phi, velocity);
-        (state.dy[0], state.dy[1]) = (velocity, self.motion.acceleration(i, self.motion.excess(i, start), phi));
+        (state.dy[0], state.dy[1]) = (velocity, motion.shape.acceleration(i, motion.excess(i, start), phi));
         if self.restart != Restart::OldStep || velocity == 0.0 {
-            *state.h = FIRST_STEP * Scaled::new(&self.motion, &Launch { tau: start, ..*launch }).time;
+            *state.h = FIRST_STEP * Scaled::of_case(motion, &Launch { tau: start, ..*launch }).time;
         }
         let mut last = start;
         for _ in 0..MOST_STEPS {
@@ -66,7 +65,7 @@ impl<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>> Flight<'a, E> for Naive<'
             if t - start >= time_left {
                 return Outcome::TimeIsUp;
             }
-            if self.motion.is_past_return(u, du) {
+            if motion.shape.is_past_return(motion.a, u, du) {
                 return Outcome::Overturned { after: t - start };
             }
             last = t;

@@ -17,6 +17,9 @@ const LEAST_INTERVAL: f64 = 1e-140;
 /// What the impacts of [`Ode::impacts`](crate::Ode::impacts) claim: nothing.
 const NO_CLAIM: Uncertainty = Uncertainty { time: f64::INFINITY, interval: f64::INFINITY, velocity: f64::INFINITY };
 
+/// The first flight of a case.
+const FIRST: Launch = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
+
 type Lu = NalgebraLU<f64>;
 
 /// All impacts of `case`, claiming nothing; `evaluations` counts those of the right-hand side.
@@ -28,7 +31,10 @@ pub(crate) fn impacts(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evalua
         chattering_time: None,
     };
     match ode.flights {
-        Flights::Rescaled => rescaled(ode.method, motion, rtol, evaluations, Follow { case, motion }),
+        Flights::Rescaled => {
+            let first = Scaled::of_case(motion, &FIRST);
+            rescaled(ode.method, first, rtol, evaluations, Follow { case, motion })
+        }
         Flights::Naive => naive(ode, case, motion, rtol, evaluations),
     }
     .unwrap_or_else(failed)
@@ -51,7 +57,7 @@ pub(crate) trait Task {
     /// What comes of it.
     type Output;
     /// Does it.
-    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, S>) -> Self::Output;
+    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, '_, S>) -> Self::Output;
 }
 
 /// A whole history.
@@ -63,21 +69,20 @@ struct Follow<'a> {
 impl Task for Follow<'_> {
     type Output = History;
 
-    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, S>) -> History {
+    fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, flight: Rescaled<'_, '_, S>) -> History {
         follow(self.case, self.motion, flight)
     }
 }
 
-/// Makes a solver that flies each flight in its own units, and does `task` with it.
+/// Makes a solver that flies each flight in its own units, the `first` of them in these, and does `task` with it.
 pub(crate) fn rescaled<T: Task>(
     method: Solver,
-    motion: &Motion,
+    first: Scaled<'_>,
     rtol: f64,
     evaluations: &Cell<u64>,
     task: T,
 ) -> Result<T::Output, DiffsolError> {
-    let first = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
-    let units = &Cell::new(Scaled::new(motion, &first));
+    let units = &Cell::new(first);
     let mut problem = OdeBuilder::<Matrix>::new()
         .rtol(rtol)
         .atol([rtol])
@@ -105,7 +110,7 @@ pub(crate) fn rescaled<T: Task>(
         .init(|_, _, y| y.fill(0.0), 2)
         .build()?;
     tame(&mut problem, method);
-    with_solver!(method, problem, |solver| task.run(Rescaled { solver, units, motion: *motion, method, rtol }))
+    with_solver!(method, problem, |solver| task.run(Rescaled { solver, units, method, rtol }))
 }
 
 fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<u64>) -> Result<History, DiffsolError> {
@@ -119,13 +124,13 @@ fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<
                 evaluations.set(evaluations.get() + 1);
                 if let (&[phi, velocity], [dphi, dvelocity]) = (y, dy) {
                     let i = sign.get();
-                    (*dphi, *dvelocity) = (velocity, motion.acceleration(i, motion.excess(i, tau), phi));
+                    (*dphi, *dvelocity) = (velocity, motion.shape.acceleration(i, motion.excess(i, tau), phi));
                 }
             },
             |y, _, tau, v, jv| {
                 if let (&[phi, _], &[v0, v1], [j0, j1]) = (y, v, jv) {
                     let i = sign.get();
-                    (*j0, *j1) = (v1, motion.stiffness(i, motion.excess(i, tau), phi) * v0);
+                    (*j0, *j1) = (v1, motion.shape.stiffness(i, motion.excess(i, tau), phi) * v0);
                 }
             },
         )
@@ -140,7 +145,7 @@ fn naive(ode: &Ode, case: &Case, motion: &Motion, rtol: f64, evaluations: &Cell<
         .init(|_, _, y| y.fill(0.0), 2)
         .build()?;
     tame(&mut problem, method);
-    with_solver!(method, problem, |solver| follow(case, motion, Naive { solver, sign, restart, motion: *motion }))
+    with_solver!(method, problem, |solver| follow(case, motion, Naive { solver, sign, restart }))
 }
 
 /// Lifts the limits that are counted over the life of a solver, which here is a whole history; a flight has a limit of its own.
@@ -162,10 +167,10 @@ fn follow<'a, E: Equations + 'a>(case: &Case, motion: &Motion, mut flight: impl 
     };
     let mut impacts = Vec::with_capacity(case.max_impacts().min(1024));
     let mut clock = Clock::default();
-    let mut launch = Launch { i: -1.0, tau: 0.0, rotation: 0.0, velocity: 0.0 };
+    let mut launch = FIRST;
     let mut certain = false;
     let ending = loop {
-        let (interval, speed) = match flight.fly(&launch, clock.left_until(horizon)) {
+        let (interval, speed) = match flight.fly(motion, &launch, clock.left_until(horizon)) {
             Outcome::Impact { interval, speed } => (interval, speed),
             Outcome::TimeIsUp => break out_of_time,
             Outcome::Overturned { .. } => break Ending::Overturned,
@@ -218,13 +223,13 @@ mod tests {
     use crate::Equation;
 
     /// One flight, wherever it starts.
-    struct Fly(Launch);
+    struct Fly<'a>(&'a Motion, Launch);
 
-    impl Task for Fly {
+    impl Task for Fly<'_> {
         type Output = Outcome;
 
-        fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, mut flight: Rescaled<'_, S>) -> Outcome {
-            flight.fly(&self.0, 10.0)
+        fn run<'a, E: Equations + 'a, S: OdeSolverMethod<'a, E>>(self, mut flight: Rescaled<'_, '_, S>) -> Outcome {
+            flight.fly(self.0, &self.1, 10.0)
         }
     }
 
@@ -238,7 +243,13 @@ mod tests {
             {
                 let launch = Launch { i, tau: 0.3, rotation, velocity };
                 let evaluations = Cell::new(0);
-                let outcome = rescaled(method, &motion, method.default_rtol(), &evaluations, Fly(launch));
+                let outcome = rescaled(
+                    method,
+                    Scaled::of_case(&motion, &FIRST),
+                    method.default_rtol(),
+                    &evaluations,
+                    Fly(&motion, launch),
+                );
                 // An implicit method may find no step at all that is short enough.
                 let lost = match outcome {
                     Ok(Outcome::Lost(loss)) => Some(loss),

@@ -5,6 +5,7 @@
 mod accuracy;
 mod behaviour;
 mod common;
+mod ground;
 
 #[path = "../../../../tests/effort/mod.rs"]
 mod effort;
