@@ -15,7 +15,9 @@ use serde::Serialize;
 use super::{
     Status,
     case_flags::read_scene_as,
+    flight_flags::FlightFlags,
     moment::Moment,
+    numbers::number,
     output::{Format, note},
 };
 
@@ -34,6 +36,8 @@ pub(super) struct Arguments {
     /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
+    #[command(flatten)]
+    flights: FlightFlags,
     /// Follow the block to this time at the most: tau, as in 2.5, or seconds, as in 2.5s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<Moment>,
@@ -100,7 +104,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     ensure!(most > 1.0 && most <= 1e6, Invalid::new("to-scale", format!("{most:?}"), "above 1, up to 1e6"));
     let until = arguments.until.map(|until| until.tau(scene.block.frequency_parameter()));
     let request = scene.on_motion(until, Termination::Exact)?;
-    let oracle = panel::stepper_on(&request.body, &request.motion);
+    let oracle = arguments.flights.on_motion(scene.ask.model, &request)?;
     let declined = |decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = Response::on_motion(oracle.as_ref(), &request).map_err(declined)?;
     let closing = panel::closing();

@@ -15,6 +15,7 @@ mod engine_flags;
 mod engine_profile;
 mod estimate;
 mod files;
+mod flight_flags;
 mod followed;
 mod joined;
 mod judge;

@@ -1,12 +1,9 @@
 use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
-use chattercheck::{
-    motion::{
-        criterion::{Crossing, Crossings, crossings},
-        response::Termination,
-    },
-    panel,
+use chattercheck::motion::{
+    criterion::{Crossing, Crossings, crossings},
+    response::Termination,
 };
 use clap::{Args, ValueEnum};
 use contract::Invalid;
@@ -15,6 +12,7 @@ use serde::Serialize;
 use super::{
     Status,
     case_flags::read_scene_as,
+    flight_flags::FlightFlags,
     numbers::number,
     output::{Format, note},
 };
@@ -40,6 +38,8 @@ pub(super) struct Arguments {
     /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
+    #[command(flatten)]
+    flights: FlightFlags,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -88,7 +88,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     ensure!((1e-6..=1e6).contains(&from), Invalid::new("from", format!("{from:?}"), "1e-6 to 1e6"));
     ensure!(to > from && to <= 1e6, Invalid::new("to", format!("{to:?}"), "above --from, up to 1e6"));
     let request = scene.on_motion(None, Termination::Exact)?;
-    let oracle = panel::stepper_on(&request.body, &request.motion);
+    let oracle = arguments.flights.on_motion(scene.ask.model, &request)?;
     let Crossings { at_first, incomplete, overturned } =
         crossings(oracle.as_ref(), &request, (from, to)).map_err(|why| anyhow!("{}: {why}", oracle.name()))?;
     let answer = Answer {

@@ -30,7 +30,15 @@ impl Task for One {
     }
 }
 
+/// What a flight is off by, in units of the tolerance.
+const ACCURACY: f64 = 10.0;
+
 impl Single {
+    /// What an interval and a speed are off by, relative.
+    pub fn accuracy(&self) -> f64 {
+        ACCURACY * self.rtol
+    }
+
     /// How a leg of a flight ends, and the rotation and the velocity away from the base then.
     pub fn follow(&self, scaled: Scaled<'_>, leg: Leg) -> (Outcome, (f64, f64)) {
         let end = rescaled(self.method, scaled, self.rtol, &Cell::new(0), One(leg));
@@ -81,6 +89,10 @@ impl FlightSolver for OnCase {
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
         if s > 0.0 { self.follow(departure, s, true).1 } else { (departure.rotation, departure.velocity) }
+    }
+
+    fn accuracy(&self) -> f64 {
+        self.single.accuracy()
     }
 
     fn rests(&self, departure: &Departure) -> bool {

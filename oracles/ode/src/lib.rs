@@ -229,8 +229,12 @@ impl Ode {
         })
     }
 
-    fn single(&self) -> Single {
-        Single { method: self.method, rtol: self.rtol }
+    /// How single flights are flown: each by itself, and so in its own units.
+    fn single(&self) -> Result<Single, Decline> {
+        match self.flights {
+            Flights::Rescaled => Ok(Single { method: self.method, rtol: self.rtol }),
+            Flights::Naive => Err(Decline::Unsupported { what: "single flights: it has one clock for all of them" }),
+        }
     }
 
     fn named(self) -> Self {
@@ -264,21 +268,15 @@ impl Oracle for Ode {
         Ok(history)
     }
 
-    /// From a single run each, in its own units at the tolerance of this oracle: as accurate as its impacts, whatever [`Ode::flights`] says of whole
-    /// histories.
+    /// From a single run each, in its own units at the tolerance of this oracle: as accurate as its impacts.
     fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
+        let single = self.single()?;
         let motion = Motion::new(case, self.equation)?;
         let motion = motion.ok_or(Decline::Unsupported { what: "flights of a block that never rocks" })?;
-        Ok(Box::new(OnCase { single: self.single(), eta: case.eta(), motion }))
+        Ok(Box::new(OnCase { single, eta: case.eta(), motion }))
     }
 
-    /// As [`Oracle::flights`]; never on one clock for all.
     fn flights_on(&self, body: &Body, motion: &contract::Motion) -> Result<Box<dyn FlightSolver>, Decline> {
-        if self.flights == Flights::Naive {
-            return Err(Decline::Unsupported {
-                what: "other motions of the ground than that of a case on one clock for all flights",
-            });
-        }
-        Ok(Box::new(OnMotion::new(self.single(), self.equation, body, motion)?))
+        Ok(Box::new(OnMotion::new(self.single()?, self.equation, body, motion)?))
     }
 }

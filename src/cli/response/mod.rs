@@ -28,6 +28,7 @@ use serde::Serialize;
 use super::{
     Status,
     case_flags::read_scene_as,
+    flight_flags::FlightFlags,
     moment::Moment,
     numbers::{count, number},
     output::{json, note, print, print_csv, say},
@@ -53,6 +54,8 @@ pub(super) struct Arguments {
     /// The equation of motion, linear or nonlinear [default: the one that the scene asks for]
     #[arg(long, value_name = "MODEL")]
     model: Option<String>,
+    #[command(flatten)]
+    flights: FlightFlags,
     /// How chattering is ended: exactly, where its infinite sum accumulates; or by a scheme of the paper's Section 5.2
     #[arg(long, value_enum, default_value_t = Scheme::Exact)]
     termination: Scheme,
@@ -137,9 +140,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let files = arguments.check(&scene)?;
     let asked = arguments.asked(&scene)?;
     let oracle = match &asked {
-        Asked::Sinusoid(_) => panel::stepper_of(scene.ask.model),
-        Asked::Motion(request) => panel::stepper_on(&request.body, &request.motion),
-    };
+        Asked::Sinusoid(request) => arguments.flights.on_sinusoid(scene.ask.model, request),
+        Asked::Motion(request) => arguments.flights.on_motion(scene.ask.model, request),
+    }?;
     let oracle: Box<dyn Oracle> = match arguments.closing {
         Closing::Impacts => oracle,
         Closing::Series => {

@@ -1,0 +1,75 @@
+//! The flags that say by whose flights a scene is followed.
+
+use anyhow::bail;
+use chattercheck::{
+    motion::response::{OnMotion, Request},
+    panel::{self, Method, Refused, Setting, Settings},
+};
+use clap::Args;
+use contract::{Decline, Model, Oracle};
+
+use super::numbers::number;
+
+/// Whose flights a response is made of.
+#[derive(Args)]
+pub(super) struct FlightFlags {
+    /// By whose flights the block is followed: closed-form, ode or taylor [default: the fastest on the equation and the motion of the ground]
+    #[arg(long, value_name = "NAME")]
+    oracle: Option<String>,
+    /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
+    #[arg(long, value_name = "METHOD")]
+    method: Option<String>,
+    /// For ode: the relative tolerance [default: the method's own]
+    #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = number)]
+    rtol: Option<f64>,
+}
+
+impl FlightFlags {
+    /// Who follows a sinusoid that is that of a case.
+    ///
+    /// # Errors
+    /// When a name or a value is not known, the method does not use an option, or it does not follow flights on the equation of the scene.
+    pub fn on_sinusoid(&self, model: Model, request: &Request) -> anyhow::Result<Box<dyn Oracle>> {
+        // Below the threshold nothing is followed.
+        let rocks = request.case.epsilon() > 0.0;
+        let named = self.named(model, |oracle| if rocks { oracle.flights(&request.case).map(drop) } else { Ok(()) })?;
+        Ok(named.unwrap_or_else(|| panel::stepper_of(model)))
+    }
+
+    /// Who follows another motion.
+    ///
+    /// # Errors
+    /// As [`FlightFlags::on_sinusoid`].
+    pub fn on_motion(&self, model: Model, request: &OnMotion) -> anyhow::Result<Box<dyn Oracle>> {
+        let named = self.named(model, |oracle| oracle.flights_on(&request.body, &request.motion).map(drop))?;
+        Ok(named.unwrap_or_else(|| panel::stepper_on(&request.body, &request.motion)))
+    }
+
+    /// The oracle that is named, or the first that uses the options that are given; `None` if there are none.
+    fn named(
+        &self,
+        model: Model,
+        follows: impl Fn(&dyn Oracle) -> Result<(), Decline>,
+    ) -> anyhow::Result<Option<Box<dyn Oracle>>> {
+        let settings = Settings { method: self.method.as_deref(), rtol: self.rtol, ..Settings::default() };
+        let uses_all = |method: &Method| settings.given().all(|(setting, _)| method.uses(setting));
+        let name = match self.oracle.as_deref() {
+            Some(name) => name,
+            None if settings.given().next().is_none() => return Ok(None),
+            // What no method uses is refused under the name of one.
+            None => panel::methods().find(|method| uses_all(method)).map_or("ode", |method| method.name),
+        };
+        let equation = if model == Model::Linear { "linear" } else { "nonlinear" };
+        let oracle = panel::one(name, &settings, equation)?;
+        match follows(oracle.as_ref()) {
+            // One for the nonlinear equation may do the linear one too, of a block without a slenderness.
+            Ok(()) if oracle.model() == model || model == Model::Linear => Ok(Some(oracle)),
+            Err(why) if oracle.model() == model => bail!("{} declines: {why}", oracle.name()),
+            _ => {
+                let solves = |method: &Method| method.models.contains(&model);
+                let value = format!("{equation} (of the scene)");
+                Err(Refused::unused(Setting::Model.name(), value, oracle.name(), solves).into())
+            }
+        }
+    }
+}
