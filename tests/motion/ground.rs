@@ -8,7 +8,7 @@ use chattercheck::{
         response::{Bout, Response, Termination},
         scene::Scene,
     },
-    panel,
+    panel::{self, Settings},
 };
 use contract::{Arrival, Model};
 
@@ -88,11 +88,16 @@ fn a_sinusoid_is_the_same_however_it_is_said() {
     }
 }
 
-/// The Taylor series on the linear equation follow what the closed form follows, and wavelets that it does not; on the nonlinear one a slender block is nearly
-/// the same.
+/// The Taylor series and the general solvers on the linear equation follow what the closed form follows, and wavelets that it does not; on the nonlinear one a
+/// slender block is nearly the same.
 #[test]
 fn methods_agree_on_every_motion() {
     let taylor = panel::stepper_of(Model::Nonlinear);
+    let ode = |method, rtol| {
+        let settings = Settings { method: Some(method), rtol, ..Settings::default() };
+        panel::one("ode", &settings, "linear").unwrap()
+    };
+    let others = [taylor, ode("tsit45", None), ode("esdirk34", None), ode("tsit45", Some(1e-7))];
     for ground in [
         "pulse = \"one-sine\"\namplitude = { over-threshold = 1.02 }\nfrequency = { omega = 2 }",
         "pulse = \"one-cosine\"\namplitude = { over-threshold = 1.04 }\nfrequency = { omega = 3 }",
@@ -101,16 +106,20 @@ fn methods_agree_on_every_motion() {
     ] {
         let scene = scene(0.6, &format!("[ground]\n{ground}\n"));
         let request = scene.on_motion(None, Termination::Exact).unwrap();
-        let (one, other) = (response(&scene), Response::on_motion(taylor.as_ref(), &request).unwrap());
-        assert!(!one.bouts.is_empty() && one.bouts.len() == other.bouts.len(), "{ground}");
-        for (bout, same) in one.bouts.iter().zip(&other.bouts) {
-            let allowed = bout.uncertainty() + same.uncertainty();
-            assert!(
-                (bout.end() - same.end()).abs() <= allowed && allowed < 1e-4,
-                "{ground}: {} {} {allowed:e}",
-                bout.end(),
-                same.end()
-            );
+        let one = response(&scene);
+        for oracle in &others {
+            let other = Response::on_motion(oracle.as_ref(), &request).unwrap();
+            assert!(!one.bouts.is_empty() && one.bouts.len() == other.bouts.len(), "{ground}");
+            for (bout, same) in one.bouts.iter().zip(&other.bouts) {
+                let allowed = bout.uncertainty() + same.uncertainty();
+                assert!(
+                    (bout.end() - same.end()).abs() <= allowed && allowed < 1e-4,
+                    "{ground} {}: {} {} {allowed:e}",
+                    oracle.name(),
+                    bout.end(),
+                    same.end()
+                );
+            }
         }
     }
     for name in ["ricker", "ricker-antisymmetric"] {

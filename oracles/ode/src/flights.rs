@@ -6,6 +6,7 @@ use contract::{Arrival, Departure, FlightSolver, Ground, Loss};
 use diffsol::OdeSolverMethod;
 
 use crate::Solver;
+use crate::claim::Calibration;
 use crate::equation::Motion;
 use crate::flight::{Leg, Rescaled, Scaled};
 use crate::forcing::Forcing;
@@ -30,13 +31,10 @@ impl Task for One {
     }
 }
 
-/// What a flight is off by, in units of the tolerance.
-const ACCURACY: f64 = 10.0;
-
 impl Single {
     /// What an interval and a speed are off by, relative.
     pub fn accuracy(&self) -> f64 {
-        ACCURACY * self.rtol
+        Calibration::of(self.method).floor * self.rtol
     }
 
     /// How a leg of a flight ends, and the rotation and the velocity away from the base then.

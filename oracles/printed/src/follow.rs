@@ -20,13 +20,14 @@ struct End {
 
 impl End {
     fn new(ar: &Arithmetic, case: &Case, excitation: &Excitation) -> Self {
+        let half_period = excitation.half_period(ar);
         if let Horizon::Until(time) = case.horizon() {
             let time = ar.number(time);
-            if is_before(&time, &excitation.half_period) {
+            if is_before(&time, &half_period) {
                 return Self { time, ending: Ending::LimitReached(Limit::Time) };
             }
         }
-        Self { time: excitation.half_period.clone(), ending: Ending::Incomplete }
+        Self { time: half_period, ending: Ending::Incomplete }
     }
 }
 
@@ -68,7 +69,7 @@ pub(crate) fn follow(ar: &Arithmetic, case: &Case, most: usize) -> (Vec<LongImpa
     (impacts, if complete { Ending::AtRest } else { Ending::LimitReached(Limit::Impacts) })
 }
 
-enum Search {
+pub(crate) enum Search {
     Found(BigFloat),
     Ended(Ending),
 }
@@ -120,7 +121,13 @@ fn is_before(a: &BigFloat, b: &BigFloat) -> bool {
 /// The root of `φ` between `low`, in flight, and `high`, past the impact: Newton's method from `high`, where rotation and acceleration
 /// have the same sign, so that it falls to the root from one side. Where a step leaves the bracket nevertheless, the bracket is halved,
 /// until the steps are so small that only quadratic convergence is left, and then rounding: then they do not become shorter any more.
-fn root(ar: &Arithmetic, excitation: &Excitation, flight: &Flight, mut low: BigFloat, mut high: BigFloat) -> Search {
+pub(crate) fn root(
+    ar: &Arithmetic,
+    excitation: &Excitation,
+    flight: &Flight,
+    mut low: BigFloat,
+    mut high: BigFloat,
+) -> Search {
     let near = ar.scale(&ar.sub(&high, &low), NEAR);
     let mut tau = high.clone();
     let mut last_step: Option<BigFloat> = None;

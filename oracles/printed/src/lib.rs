@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 mod arithmetic;
+mod flights;
 mod follow;
 mod motion;
 mod oracle;

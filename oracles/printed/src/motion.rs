@@ -1,5 +1,5 @@
 use astro_float::BigFloat;
-use contract::Case;
+use contract::{Case, Sinusoid};
 
 use crate::arithmetic::Arithmetic;
 
@@ -11,8 +11,6 @@ pub(crate) struct Excitation {
     psi: BigFloat,
     /// `a/(ω² + 1)` of Eq. 8.
     response: BigFloat,
-    /// `T/2 = π/ω`.
-    pub(crate) half_period: BigFloat,
 }
 
 impl Excitation {
@@ -22,9 +20,23 @@ impl Excitation {
         let omega = ar.number(case.omega());
         // Eq. 12 with i_0 = -1.
         let psi = ar.asin(&ar.div(&one, &a));
-        let response = ar.div(&a, &ar.add(&ar.mul(&omega, &omega), &one));
-        let half_period = ar.div(&ar.pi(), &omega);
-        Self { a, omega, psi, response, half_period }
+        Self::of(ar, a, omega, psi)
+    }
+
+    /// A sinusoid as it is.
+    pub(crate) fn of_term(ar: &Arithmetic, term: &Sinusoid) -> Self {
+        let Sinusoid { amplitude, omega, phase } = *term;
+        Self::of(ar, ar.number(amplitude), ar.number(omega), ar.number(phase))
+    }
+
+    fn of(ar: &Arithmetic, a: BigFloat, omega: BigFloat, psi: BigFloat) -> Self {
+        let response = ar.div(&a, &ar.add(&ar.mul(&omega, &omega), &ar.number(1.0)));
+        Self { a, omega, psi, response }
+    }
+
+    /// `T/2 = π/ω`.
+    pub(crate) fn half_period(&self, ar: &Arithmetic) -> BigFloat {
+        ar.div(&ar.pi(), &self.omega)
     }
 
     fn phase(&self, ar: &Arithmetic, tau: &BigFloat) -> BigFloat {
@@ -63,8 +75,7 @@ pub(crate) struct Flight {
 }
 
 impl Flight {
-    /// From `φ_n(τ_n) = 0` and the velocity `φ'_n(τ_n)`, by Eq. 36 for any `n`:
-    /// `B e^τ + A e^-τ = -i - Ξ(τ)` and `B e^τ - A e^-τ = φ' - Ξ'(τ)`. At `τ_0 = 0` and `φ' = 0` it is Eq. 10.
+    /// From `φ_n(τ_n) = 0` and the velocity `φ'_n(τ_n)`, by Eq. 36 for any `n`. At `τ_0 = 0` and `φ' = 0` it is Eq. 10.
     pub(crate) fn from_impact(
         ar: &Arithmetic,
         excitation: &Excitation,
@@ -72,7 +83,18 @@ impl Flight {
         tau: &BigFloat,
         velocity: &BigFloat,
     ) -> Self {
-        let sum = ar.sub(&ar.number(-sign), &excitation.xi(ar, tau));
+        Self::from_state(ar, excitation, sign, tau, (&ar.number(0.0), velocity))
+    }
+
+    /// From a rotation and a velocity: `B e^τ + A e^-τ = φ - i - Ξ(τ)` and `B e^τ - A e^-τ = φ' - Ξ'(τ)`.
+    pub(crate) fn from_state(
+        ar: &Arithmetic,
+        excitation: &Excitation,
+        sign: f64,
+        tau: &BigFloat,
+        (rotation, velocity): (&BigFloat, &BigFloat),
+    ) -> Self {
+        let sum = ar.sub(&ar.sub(rotation, &ar.number(sign)), &excitation.xi(ar, tau));
         let difference = ar.sub(velocity, &excitation.xi_prime(ar, tau));
         let e = ar.exp(tau);
         let growing = ar.div(&ar.scale(&ar.add(&sum, &difference), 0.5), &e);

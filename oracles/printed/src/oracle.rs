@@ -1,7 +1,10 @@
 use astro_float::BigFloat;
-use contract::{Case, Decline, Ending, History, Horizon, Impact, Invalid, Model, Oracle, Uncertainty};
+use contract::{
+    Body, Case, Decline, Ending, FlightSolver, History, Horizon, Impact, Invalid, Model, Motion, Oracle, Uncertainty,
+};
 
 use crate::arithmetic::{Arithmetic, agreement, double};
+use crate::flights::Flights;
 use crate::follow::{LongImpact, follow};
 use crate::{precision, zeno};
 
@@ -168,6 +171,11 @@ impl Oracle for Printed {
         }
         let (impacts, ending) = follow_in(&Arithmetic::new(bits)?, case)?;
         Ok(History { impacts: impacts.iter().map(rounded).collect(), ending, chattering_time: None })
+    }
+
+    /// Under one sinusoid, or still ground; each flight to the last digit of a double.
+    fn flights_on(&self, body: &Body, motion: &Motion) -> Result<Box<dyn FlightSolver>, Decline> {
+        Ok(Box::new(Flights::new(body, motion)?))
     }
 }
 

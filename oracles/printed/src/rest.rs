@@ -13,8 +13,12 @@ const WINDOWS: [f64; 6] = [1.1, 1.25, 1.5, 2.0, 3.0, 4.0];
 /// `q = η² sqrt(1 + δ₊/m₊) sqrt(1 + δ₋/m₋)`. If neither flight speeds the block up, and the sum over all pairs fits into the window and the
 /// window into `left`, then nothing ever left the window.
 pub(crate) fn is_certain(case: &Case, forcing: f64, velocity: f64, left: f64) -> bool {
-    let (eta, speed) = (case.eta(), velocity.abs());
-    let steepest = case.amplitude() * case.omega();
+    is_certain_under(case.amplitude() * case.omega(), case.eta(), forcing, velocity, left)
+}
+
+/// The same under a forcing that is nowhere steeper than `steepest`, which is `aω` of a sinusoid.
+pub(crate) fn is_certain_under(steepest: f64, eta: f64, forcing: f64, velocity: f64, left: f64) -> bool {
+    let speed = velocity.abs();
     let toward = [1.0 + forcing * velocity.signum(), 1.0 - forcing * velocity.signum()];
     // The next flight has the sign of the velocity; `growth` is what a flight makes of a speed.
     let total = |[this, other]: [f64; 2], [growth_of_this, growth_of_other]: [f64; 2]| {

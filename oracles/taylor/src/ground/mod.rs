@@ -27,7 +27,6 @@ const STEP: f64 = 0.4;
 pub(crate) struct Flights {
     block: Block,
     motion: Arc<Motion>,
-    is_linear: bool,
 }
 
 /// A step: the series of the rotation in its units, how many factors of time divide it at the start, and how far it goes in those units.
@@ -44,7 +43,7 @@ impl Flights {
         let alpha = body.alpha().unwrap_or(SLENDER);
         let block = Block::new(0.0, 1.0, body.eta(), alpha);
         let block = Block { amplitude: strongest(motion), ..block };
-        Ok(Self { block, motion: Arc::new(motion.clone()), is_linear: body.alpha().is_none() })
+        Ok(Self { block, motion: Arc::new(motion.clone()) })
     }
 
     /// Free rocking is that of the block alone.
@@ -175,7 +174,6 @@ impl FlightSolver for Flights {
     fn rests(&self, departure: &Departure) -> bool {
         match departure.ground {
             Ground::Shaking => self.time_to_rest(departure).is_some(),
-            Ground::Still if self.is_linear => departure.velocity < 1.0,
             Ground::Still => departure.velocity < Still::new(self.block.alpha).fastest(),
         }
     }
@@ -185,17 +183,10 @@ impl FlightSolver for Flights {
         if rotation != 0.0 {
             return None;
         }
-        if ground == Ground::Still && !self.is_linear {
+        if ground == Ground::Still {
             return Still::new(self.block.alpha).time_to_rest(velocity, self.block.eta);
         }
-        let still;
-        let motion: &Motion = if ground == Ground::Still {
-            still = self.on_still_ground();
-            &still
-        } else {
-            &self.motion
-        };
-        let (least, most) = rest::time_left(&self.block, motion, (side, time, velocity))?;
+        let (least, most) = rest::time_left(&self.block, &self.motion, (side, time, velocity))?;
         Some(Estimate { value: 0.5 * (least + most), uncertainty: 0.5 * (most - least) })
     }
 }

@@ -89,3 +89,26 @@ fn the_powers_of_a_motion_are_the_motion() {
         }
     }
 }
+
+/// On still ground the linear block needs `2 Σ artanh(η^k v)` to rest, whatever speed it has: the formula of the nonlinear one with no slenderness left.
+#[test]
+fn free_rocking_of_the_slender_block_is_summed_from_any_speed() {
+    let motion = Motion::one_sine(1.1, 2.0).unwrap();
+    for eta in [0.5, 0.9, 0.952, 0.99] {
+        let flights = Flights::new(&Body::new(eta, None).unwrap(), &motion).unwrap();
+        for velocity in [1e-8, 1e-3, 0.1, 0.6, 0.99, 0.9999] {
+            let from = Departure { ground: Ground::Still, time: 9.0, side: 1.0, rotation: 0.0, velocity };
+            let exact: f64 = (0..4000).map(|k| 2.0 * f64::atanh(f64::powi(eta, k) * velocity)).sum();
+            let left = flights.time_to_rest(&from).unwrap();
+            assert!(
+                flights.rests(&from) && (left.value / exact - 1.0).abs() < 1e-13,
+                "{eta} {velocity}: {left:?} {exact}"
+            );
+            assert!(left.uncertainty < 1e-13 * exact);
+        }
+        for velocity in [1.0, 1.2] {
+            let from = Departure { ground: Ground::Still, time: 9.0, side: 1.0, rotation: 0.0, velocity };
+            assert!(!flights.rests(&from) && flights.time_to_rest(&from).is_none());
+        }
+    }
+}
