@@ -196,7 +196,7 @@ mod tests {
         assert!((interval - 2_f64.acosh()).abs() < 1e-15 && (speed - 0.75_f64.sqrt()).abs() < 1e-15);
         // Over the balance it does not come back.
         let over = Departure { ground: Ground::Still, ..departure(0.0, 1.0, 1.1, 0.0) };
-        assert!(matches!(flights.fly(&over, 10.0), Arrival::Overturned { after } if after < 0.5));
+        assert!(matches!(flights.fly(&over, 10.0), Arrival::Overturned { after } if after < 2.0));
     }
 
     /// A sinusoid from its threshold is that of the case, impact by impact.
