@@ -31,6 +31,7 @@ mod paper;
 mod part_file;
 mod part_files;
 mod plan;
+mod plan_on_motion;
 mod reference;
 mod replay;
 mod report_files;

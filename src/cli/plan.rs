@@ -6,13 +6,16 @@ use clap::Args;
 use contract::Invalid;
 use serde::Serialize;
 
-use super::{Status, case_facts::CaseFacts, case_flags::read_scene, numbers::number, output::Format};
+use super::{Status, case_facts::CaseFacts, case_flags::read_scene, numbers::number, output::Format, plan_on_motion};
 
 /// The cheapest method that answers a scene as accurately as it asks, and why
 ///
 /// The question is how long the block of the scene chatters until it rests. Each candidate is listed with the relative error that is predicted for it, in four
 /// parts (from the model, from ending a series or sum early, from steps and rounding, from the rounding of the scene's own numbers), and with its
 /// predicted cost. The cheapest that is accurate enough is run; if its answer turns out to be worse than asked, the next one.
+///
+/// On other motions of the ground than a sinusoid under a block at rest nothing is predicted: the whole response is followed by both models, and when the block rests and how
+/// far it turns is compared.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
@@ -71,6 +74,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let tolerance = arguments.tolerance.unwrap_or(scene.ask.tolerance);
     if !(1e-15..=0.5).contains(&tolerance) {
         return Err(Invalid::new("tolerance", format!("{tolerance:?}"), "1e-15 to 0.5 (relative)").into());
+    }
+    if scene.sine().is_err() {
+        return plan_on_motion::run(&scene, tolerance, arguments.format);
     }
     let plan = Plan::new(Question { tolerance, ..scene.question()? });
     let answer = plan.answer();

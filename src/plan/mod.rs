@@ -6,6 +6,7 @@
 
 pub mod estimate;
 pub mod evidence;
+mod on_motion;
 mod refusal;
 mod run;
 mod scene;
@@ -17,6 +18,7 @@ use contract::Case;
 use crate::motion::response::Request;
 
 pub use estimate::{Errors, Place};
+pub use on_motion::{Compared, Followed, MotionPlan, Parted};
 pub use refusal::Refusal;
 pub use run::{Answer, Attempt, Conclusion};
 pub use stepping::{Found, step};

@@ -133,6 +133,8 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("critical-amplitude --omega 2 --eta 0.5", "--format json", Used),
         ("plan SCENE", "--tolerance 1e-3", Used),
         ("plan SCENE", "--format json", Used),
+        ("plan PULSE", "--tolerance 0.3", Used),
+        ("plan PULSE", "--format json", Used),
         ("scene SCENE", "--format json", Used),
         ("scene SCENE", "--schema", Refused(&["--schema", "FILE"])),
         ("scene --schema", "--format text", Refused(&["--schema", "--format"])),

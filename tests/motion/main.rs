@@ -10,6 +10,7 @@ mod ground;
 mod one_answer;
 mod overturning;
 mod plan;
+mod plan_on_motion;
 mod response;
 mod rows;
 mod scenes;

@@ -20,11 +20,6 @@ pub trait FlightSolver: Send + Sync {
     /// block down, provided that the ground goes on as it does.
     fn rests(&self, departure: &Departure) -> bool;
 
-    /// What an interval and a speed are off by, relative: some roundings, unless the solver has a tolerance of its own.
-    fn accuracy(&self) -> f64 {
-        f64::EPSILON
-    }
-
     /// How long it takes until infinitely many impacts have accumulated after this departure from the base, on ground that stays at rest: the whole
     /// sum of free rocking, which does not have to be followed. `None` where they don't accumulate, on shaking ground, and from a solver that only
     /// flies.

@@ -36,6 +36,11 @@ pub trait Oracle: Send + Sync {
         None
     }
 
+    /// The same method with a coarser tolerance: what that changes tells what the tolerance does to its flights. `None` from a method that has none.
+    fn coarser(&self) -> Option<Box<dyn Oracle>> {
+        None
+    }
+
     /// A solver for single flights of this block under this motion of the ground, from anywhere.
     ///
     /// # Errors

@@ -36,7 +36,7 @@ pub(crate) struct Calibration {
     /// How much is claimed of the differences to runs ten and a hundred times as coarse.
     safety: [f64; 2],
     /// What is claimed at least, in units of the tolerance.
-    pub floor: f64,
+    floor: f64,
 }
 
 impl Calibration {

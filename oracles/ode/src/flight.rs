@@ -205,7 +205,7 @@ impl<'f, S> Rescaled<'_, 'f, S> {
     {
         let start = scaled.start();
         let state = Cell::new(scaled.away_from_base(start.y, start.dy));
-        let outcome = self.steps(scaled, leg, &state).unwrap_or_else(Outcome::Lost);
+        let outcome = self.steps(scaled, start, leg, &state).unwrap_or_else(Outcome::Lost);
         (outcome, state.get())
     }
 
@@ -213,6 +213,7 @@ impl<'f, S> Rescaled<'_, 'f, S> {
     fn steps<'a, E: Equations + 'a>(
         &mut self,
         scaled: Scaled<'f>,
+        mut from: Knot,
         leg: &Leg,
         state: &Cell<(f64, f64)>,
     ) -> Result<Outcome, Loss>
@@ -222,7 +223,6 @@ impl<'f, S> Rescaled<'_, 'f, S> {
         self.units.set(scaled);
         let left = leg.lasts / scaled.time;
         let stop = leg.breaks.then_some(left);
-        let mut from = scaled.start();
         self.place(&from, scaled.first_step(self.method, self.rtol), stop)?;
         let mut halvings = 0;
         for _ in 0..MOST_STEPS {

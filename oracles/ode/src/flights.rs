@@ -6,7 +6,6 @@ use contract::{Arrival, Departure, FlightSolver, Ground, Loss};
 use diffsol::OdeSolverMethod;
 
 use crate::Solver;
-use crate::claim::Calibration;
 use crate::equation::Motion;
 use crate::flight::{Leg, Rescaled, Scaled};
 use crate::forcing::Forcing;
@@ -32,11 +31,6 @@ impl Task for One {
 }
 
 impl Single {
-    /// What an interval and a speed are off by, relative.
-    pub fn accuracy(&self) -> f64 {
-        Calibration::of(self.method).floor * self.rtol
-    }
-
     /// How a leg of a flight ends, and the rotation and the velocity away from the base then.
     pub fn follow(&self, scaled: Scaled<'_>, leg: Leg) -> (Outcome, (f64, f64)) {
         let end = rescaled(self.method, scaled, self.rtol, &Cell::new(0), One(leg));
@@ -87,10 +81,6 @@ impl FlightSolver for OnCase {
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
         if s > 0.0 { self.follow(departure, s, true).1 } else { (departure.rotation, departure.velocity) }
-    }
-
-    fn accuracy(&self) -> f64 {
-        self.single.accuracy()
     }
 
     fn rests(&self, departure: &Departure) -> bool {

@@ -34,13 +34,22 @@ impl Forcing<'_> {
     /// `i + f` at `s`.
     #[inline]
     pub fn at(&self, s: f64) -> f64 {
-        self.excess
-            + match self.change {
-                Change::Line(slope) => slope * s,
-                Change::Wave(wave) => wave.change(s),
-                Change::Waves(waves) => waves.iter().map(|wave| wave.change(s)).sum(),
-                Change::Wavelet(wavelet) => wavelet.change(s),
-            }
+        let change = match self.change {
+            // The sinusoid of a case is asked for most, and is small enough to be inlined alone.
+            Change::Wave(wave) => wave.change(s),
+            _ => self.other_change(s),
+        };
+        self.excess + change
+    }
+
+    #[inline(never)]
+    fn other_change(&self, s: f64) -> f64 {
+        match self.change {
+            Change::Line(slope) => slope * s,
+            Change::Wave(wave) => wave.change(s),
+            Change::Waves(waves) => waves.iter().map(|wave| wave.change(s)).sum(),
+            Change::Wavelet(wavelet) => wavelet.change(s),
+        }
     }
 
     /// `f'` and `f''` at `s = 0`.

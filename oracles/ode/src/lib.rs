@@ -276,6 +276,11 @@ impl Oracle for Ode {
         Ok(Box::new(OnCase { single, eta: case.eta(), motion }))
     }
 
+    fn coarser(&self) -> Option<Box<dyn Oracle>> {
+        let [rtol, _] = claim::tolerances(self.rtol);
+        Some(Box::new(Self { rtol, ..self.clone() }))
+    }
+
     fn flights_on(&self, body: &Body, motion: &contract::Motion) -> Result<Box<dyn FlightSolver>, Decline> {
         Ok(Box::new(OnMotion::new(self.single()?, self.equation, body, motion)?))
     }

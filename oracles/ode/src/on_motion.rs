@@ -98,10 +98,6 @@ impl FlightSolver for OnMotion {
         if s > 0.0 { self.follow(departure, s, true).1 } else { (departure.rotation, departure.velocity) }
     }
 
-    fn accuracy(&self) -> f64 {
-        self.single.accuracy()
-    }
-
     fn rests(&self, departure: &Departure) -> bool {
         match departure.ground {
             Ground::Shaking => self.time_to_rest(departure).is_some(),

@@ -218,12 +218,14 @@ impl Response {
             let ground = Shaken::Sinusoid(Lobes::new(&request.case, request.phase));
             return Ok(Self { ground, lasts: request.lasts, bouts: Vec::new(), lying: None, end });
         }
-        let solver = oracle.flights(&request.case)?;
-        let response = run::follow(request, solver.as_ref());
-        // What rounding does in all flights before a rest is what moving the parameters by about a rounding does.
-        let case = nudged(&request.case, request.rounding, solver.accuracy())
+        let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
+        // What rounding does in all flights before a rest is what moving the parameters by about a rounding does; and what a tolerance does is what a coarser one
+        // does, and less.
+        let case = nudged(&request.case, request.rounding)
             .map_err(|_| Decline::Unsupported { what: "cases at the border of what is allowed" })?;
-        let other = run::follow(&Request { case, ..*request }, oracle.flights(&case)?.as_ref());
+        let coarser = oracle.coarser();
+        let other = coarser.as_deref().unwrap_or(oracle).flights(&case)?;
+        let other = run::follow(&Request { case, ..*request }, other.as_ref());
         Ok(response.with_conditioning(&other))
     }
 
@@ -232,15 +234,14 @@ impl Response {
     /// # Errors
     /// When the oracle declines, because it has no flights on such a motion or can't do it.
     pub fn on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<Self, Decline> {
-        let solver = oracle.flights_on(&request.body, &request.motion)?;
-        let response = run::follow_motion(request, solver.as_ref());
+        let response = Self::once_on_motion(oracle, request)?;
         let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
         // A record has been divided by the threshold: some roundings of each sample.
         let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
-        let eta = request.body.eta() * (1.0 - 0.5 * solver.accuracy());
-        let body = Body::new(eta, request.body.alpha()).map_err(border)?;
+        let body = Body::new(request.body.eta() * (1.0 - 0.5 * f64::EPSILON), request.body.alpha()).map_err(border)?;
         let other = OnMotion { body, motion: Arc::new(motion), ..request.clone() };
-        Ok(response.with_conditioning(&Self::once_on_motion(oracle, &other)?))
+        let coarser = oracle.coarser();
+        Ok(response.with_conditioning(&Self::once_on_motion(coarser.as_deref().unwrap_or(oracle), &other)?))
     }
 
     /// The same, of which it is not said what rounding does to it.
@@ -308,13 +309,13 @@ const ALIKE: usize = 4;
 /// What multiple of the change is claimed: rounding of every flight may add up to more than one change of the parameters shows.
 const MARGIN: f64 = 4.0;
 
-/// The case with its parameters moved by a few roundings each, `ε` by its own `rounding` too, and the restitution by half of what each flight is off by.
-fn nudged(case: &Case, rounding: f64, accuracy: f64) -> Result<Case, Invalid> {
+/// The case with its parameters moved by a few roundings each, and `ε` by its own `rounding` too.
+fn nudged(case: &Case, rounding: f64) -> Result<Case, Invalid> {
     let moved = |value: f64, roundings: f64| value * (1.0 + roundings * f64::EPSILON);
     let nudged = Case::from_epsilon(
         moved(case.epsilon(), 4.0) + rounding * case.epsilon(),
         moved(case.omega(), 1.0),
-        case.eta() * (1.0 - 0.5 * accuracy),
+        case.eta() * (1.0 - 0.5 * f64::EPSILON),
     )?;
     let Some(of) = case.slenderness() else { return Ok(nudged) };
     Ok(nudged.with_slenderness(Slenderness::new(moved(of.alpha(), -0.5), of.normalisation())?))

@@ -89,10 +89,6 @@ impl FlightSolver for Seen<'_> {
         self.solver.rests(&self.absolute(departure))
     }
 
-    fn accuracy(&self) -> f64 {
-        self.solver.accuracy()
-    }
-
     fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
         self.solver.time_to_rest(&self.absolute(departure))
     }
