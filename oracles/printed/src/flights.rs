@@ -68,7 +68,8 @@ impl Flights {
         let height = (velocity * velocity).max(rotation);
         let height = if height > 0.0 { height } else { (FROM_REST / term.omega.max(1.0)).powi(4) };
         let bits = BITS + height.log2().abs();
-        if !(bits <= MOST_BITS) {
+        // Nor is there a flight that starts with what is no number.
+        if bits.is_nan() || bits > MOST_BITS {
             return None;
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
