@@ -26,6 +26,7 @@
 
 extern crate alloc;
 
+mod bouts;
 mod case;
 mod closure;
 pub mod conformance;
@@ -35,6 +36,7 @@ mod history;
 mod invalid;
 mod oracle;
 
+pub use bouts::{Bout, BoutEnd, Followed};
 pub use case::{Case, Horizon, Normalisation, Slenderness};
 pub use closure::Closure;
 pub use flight::{Arrival, Departure, FlightSolver, Ground};

@@ -1,7 +1,7 @@
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Body, Case, Closure, FlightSolver, History, Motion, Sensitivity, SlendernessShift};
+use crate::{Body, Bout, Case, Closure, FlightSolver, Followed, History, Motion, Sensitivity, SlendernessShift};
 
 /// One method that turns a case into an impact history.
 ///
@@ -65,6 +65,15 @@ pub trait Oracle: Send + Sync {
     /// A [`Decline`] from a method that follows the impacts instead, or cannot do this motion.
     fn closure_on(&self, _body: &Body, _motion: &Motion) -> Result<Box<dyn Closure>, Decline> {
         Err(Decline::Unsupported { what: "closing a sequence from one impact" })
+    }
+
+    /// The bouts of a block on ground that moves in any way, from a method that follows whole responses by itself: one that hands over more from flight to flight
+    /// than a departure holds.
+    ///
+    /// # Errors
+    /// A [`Decline`] from a method that only follows flights or cases, or cannot do this motion.
+    fn bouts_on(&self, _body: &Body, _motion: &Motion, _asked: &Followed) -> Result<Vec<Bout>, Decline> {
+        Err(Decline::Unsupported { what: "whole responses" })
     }
 }
 

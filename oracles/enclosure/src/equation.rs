@@ -12,15 +12,13 @@
 
 use crate::{
     directed::Directed,
-    excitation::{Excitation, Pull},
     functions::sin_cos,
     interval::Interval,
+    pull::{Pull, PullSeries},
 };
 
 /// The equation of motion of one block.
 pub struct Equation<F> {
-    /// `ω²`.
-    omega_squared: Interval<F>,
     block: Option<Block<F>>,
 }
 
@@ -50,7 +48,7 @@ pub struct Coefficients<'a, F> {
     /// Those of `x`.
     pub motion: Vec<Interval<F>>,
     /// Those of `b`.
-    pull: Vec<Interval<F>>,
+    pull: PullSeries<F>,
     /// Those of `sin(αx)`, `cos(αx)` and `tan α sin(αx) + cos(αx)`, and `n` times those of `x`; empty for Eq. 4.
     trigonometric: Trigonometric<F>,
 }
@@ -64,8 +62,8 @@ struct Trigonometric<F> {
 }
 
 impl<F: Directed> Equation<F> {
-    /// Eq. 4 under `excitation`, or Eq. 2 for a block of slenderness `alpha`.
-    pub fn new(excitation: &Excitation<F>, alpha: Option<f64>) -> Self {
+    /// Eq. 4, or Eq. 2 for a block of slenderness `alpha`.
+    pub fn new(alpha: Option<f64>) -> Self {
         let one = Interval::exactly(1.0);
         let block = alpha.map(|alpha| {
             let alpha = Interval::exactly(alpha);
@@ -78,7 +76,12 @@ impl<F: Directed> Equation<F> {
                 alpha,
             }
         });
-        Self { omega_squared: excitation.omega.squared(), block }
+        Self { block }
+    }
+
+    /// Whether it is Eq. 4.
+    pub fn is_linear(&self) -> bool {
+        self.block.is_none()
     }
 
     /// A bound on `|x''| - |x|`: `1 + a`, or `1 + a tan(α)/α`.
@@ -94,7 +97,7 @@ impl<F: Directed> Equation<F> {
     /// The coefficients from `start` on.
     pub fn coefficients(&self, start: &Start<F>) -> Coefficients<'_, F> {
         let motion = vec![start.distance.clone(), start.velocity.clone()];
-        let pull = vec![start.pull.value.clone(), start.pull.slope.clone()];
+        let pull = PullSeries::new(&start.pull);
         Coefficients { equation: self, motion, pull, trigonometric: Trigonometric::new() }
     }
 
@@ -170,7 +173,8 @@ impl<F: Directed> Coefficients<'_, F> {
     pub fn extend(&mut self) -> Interval<F> {
         let n = self.motion.len();
         let k = n.saturating_sub(2);
-        let (Some(pull), Some(distance)) = (self.pull.get(k), self.motion.get(k)) else {
+        let pulls = self.pull.coefficients();
+        let (Some(pull), Some(distance)) = (pulls.get(k), self.motion.get(k)) else {
             return Interval::exactly(f64::NAN);
         };
         let acceleration = match &self.equation.block {
@@ -179,15 +183,13 @@ impl<F: Directed> Coefficients<'_, F> {
                 self.trigonometric.extend(block, &self.motion);
                 let Trigonometric { sine, mixed, .. } = &self.trigonometric;
                 let Some(sine) = sine.get(k) else { return Interval::exactly(f64::NAN) };
-                let driven = &block.sine * &convolution(mixed, self.pull.get(..=k).unwrap_or_default());
+                let driven = &block.sine * &convolution(mixed, pulls.get(..=k).unwrap_or_default());
                 &(&(sine * &block.inverse_cosine) - &driven) * &block.inverse_alpha
             }
         };
         let next = &acceleration / &Interval::whole((n - 1) * n);
         self.motion.push(next.clone());
-        // b'' = -ω² i f, and i f = b - 1
-        let oscillating = if k == 0 { pull - &Interval::exactly(1.0) } else { pull.clone() };
-        self.pull.push(&-&(&self.equation.omega_squared * &oscillating) / &Interval::whole((n - 1) * n));
+        self.pull.extend();
         next
     }
 }

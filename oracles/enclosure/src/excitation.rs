@@ -3,16 +3,25 @@
 //! With `sin ψ = 1/a` (Eq. 12), `f = a sin(ωτ + ψ) = cos 2θ + q sin 2θ`, where `θ = ωτ/2` and `q = a cos ψ = sqrt(ε(2 + ε))`. Hence
 //! `1 - f = 2 sin θ (sin θ - q cos θ)` and `1 + f = 2 cos θ (cos θ + q sin θ)`: products of small numbers where they are small.
 
-use crate::{directed::Directed, functions::sin_cos, interval::Interval};
+use crate::{
+    directed::Directed,
+    functions::sin_cos,
+    ground::{Ground, Window},
+    interval::Interval,
+    pull::{Bend, Pull, Side, Wave},
+};
 
 /// The constants of an excitation.
 pub struct Excitation<F> {
     /// `ω`.
     pub omega: Interval<F>,
+    omega_squared: Interval<F>,
     /// `q = sqrt(ε(2 + ε))`.
     quadrature: Interval<F>,
     /// `a = 1 + ε`.
     pub amplitude: Interval<F>,
+    /// Every pull that there can be.
+    any: Pull<f64>,
 }
 
 /// Where in its period the excitation is: the sine and the cosine of `θ = ωτ/2`.
@@ -22,28 +31,27 @@ pub struct HalfPhase<F> {
     cosine: Interval<F>,
 }
 
-/// The excitation at one moment, seen from the side `i` on which the block rotates.
-#[derive(Clone)]
-pub struct Pull<F> {
-    /// `b = 1 + i f`: what pulls the block back to its base, in units of what gravity alone does.
-    pub value: Interval<F>,
-    /// `b' = i f'`.
-    pub slope: Interval<F>,
-}
-
 impl<F: Directed> Excitation<F> {
     /// The excitation whose amplitude is `1 + epsilon` times the threshold.
     pub fn new(epsilon: &Interval<F>, omega: f64) -> Self {
         let two = Interval::exactly(2.0);
-        Self {
-            omega: Interval::exactly(omega),
-            quadrature: (epsilon * &(epsilon + &two)).root(),
-            amplitude: epsilon + &Interval::exactly(1.0),
-        }
+        let amplitude = epsilon + &Interval::exactly(1.0);
+        let (bound, rate) = (amplitude.convert::<f64>(), Interval::<f64>::exactly(omega));
+        let value = Interval::within(bound.magnitude());
+        let slope = &rate * &value;
+        let wave = Wave { omega_squared: rate.squared(), value: value.clone(), slope: slope.clone() };
+        let any = Pull { value: &Interval::exactly(1.0) + &value, slope, bend: Bend::Waves(vec![wave]) };
+        let omega = Interval::exactly(omega);
+        let omega_squared = omega.squared();
+        Self { omega, omega_squared, quadrature: (epsilon * &(epsilon + &two)).root(), amplitude, any }
     }
+}
 
-    /// The phase `interval` later. Turning the phase keeps what is small accurate, at a cost in width that is at most `exp(θ)` in all.
-    pub fn later(&self, phase: &HalfPhase<F>, interval: &Interval<F>) -> HalfPhase<F> {
+impl<F: Directed> Ground<F> for Excitation<F> {
+    type Moment = HalfPhase<F>;
+
+    /// Turning the phase keeps what is small accurate, at a cost in width that is at most `exp(θ)` in all.
+    fn later(&self, phase: &HalfPhase<F>, interval: &Interval<F>) -> HalfPhase<F> {
         let half_turn = &(&self.omega * interval) * &Interval::exactly(0.5);
         let (sine, cosine) = sin_cos(&half_turn);
         let unit = Interval::within(1.0);
@@ -53,8 +61,7 @@ impl<F: Directed> Excitation<F> {
         }
     }
 
-    /// The pull on the side `i = +1` or `i = -1`.
-    pub fn pull(&self, phase: &HalfPhase<F>, side: Side) -> Pull<F> {
+    fn pull(&self, phase: &HalfPhase<F>, side: Side) -> Pull<F> {
         let HalfPhase { sine: s, cosine: c } = phase;
         let two = Interval::exactly(2.0);
         let q = &self.quadrature;
@@ -64,7 +71,31 @@ impl<F: Directed> Excitation<F> {
         };
         // f' = ω (q cos 2θ - sin 2θ)
         let rate = &self.omega * &(&(q * &(&c.squared() - &s.squared())) - &(&two * &(s * c)));
-        Pull { value, slope: if side == Side::Plus { rate } else { -&rate } }
+        let slope = side.of(&rate);
+        let wave = Wave {
+            omega_squared: self.omega_squared.clone(),
+            value: &value - &Interval::exactly(1.0),
+            slope: slope.clone(),
+        };
+        Pull { value, slope, bend: Bend::Waves(vec![wave]) }
+    }
+
+    /// Every pull of any moment.
+    fn any_pull(&self, _: &HalfPhase<F>, _: Side, _: f64) -> Pull<f64> {
+        self.any.clone()
+    }
+
+    fn change(&self, _: &HalfPhase<F>) -> Option<(Interval<F>, HalfPhase<F>)> {
+        None
+    }
+
+    fn window(&self, phase: &HalfPhase<F>, side: Side, length: &Interval<F>) -> Option<Window<F>> {
+        // b' changes by at most a ω² in a unit of time.
+        Some(Window::bent(&self.pull(phase, side), &(&self.amplitude * &self.omega_squared), length))
+    }
+
+    fn amplitude(&self) -> &Interval<F> {
+        &self.amplitude
     }
 }
 
@@ -72,24 +103,5 @@ impl<F: Directed> HalfPhase<F> {
     /// At initiation.
     pub fn start() -> Self {
         Self { sine: Interval::zero(), cosine: Interval::exactly(1.0) }
-    }
-}
-
-/// `i`, the sign of the rotation in a flight.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Side {
-    Plus,
-    Minus,
-}
-
-impl Side {
-    /// The side of the next flight.
-    pub fn other(self) -> Self {
-        if self == Self::Plus { Self::Minus } else { Self::Plus }
-    }
-
-    /// `±1`.
-    pub fn sign(self) -> f64 {
-        if self == Self::Plus { 1.0 } else { -1.0 }
     }
 }

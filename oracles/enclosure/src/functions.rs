@@ -51,6 +51,39 @@ pub(crate) fn sin_cos_to<F: Directed>(x: &Interval<F>, bits: i32) -> (Interval<F
     (sine.and(&unit), cosine.and(&unit))
 }
 
+/// `exp(-y²/2)`.
+pub fn gauss<F: Directed>(y: &Interval<F>) -> Interval<F> {
+    let half_square = &y.squared() * &Interval::exactly(0.5);
+    // It falls with the square.
+    let (least, most) = (fall(&Interval::at(&half_square.upper)), fall(&Interval::at(&half_square.lower)));
+    Interval { lower: least.lower, upper: most.upper }.not_below_zero()
+}
+
+/// `exp(-z)` of a number that is not negative, from the series at a small fraction of it, which squaring brings back to it. The terms fall and alternate, so that
+/// the first one left out bounds the rest.
+fn fall<F: Directed>(z: &Interval<F>) -> Interval<F> {
+    let (mut small, mut halvings) = (z.clone(), 0);
+    while small.magnitude() > 0.5 && halvings < 64 {
+        small = &small * &Interval::exactly(0.5);
+        halvings += 1;
+    }
+    let (mut sum, mut term, mut n) = (Interval::exactly(1.0), Interval::exactly(1.0), 0);
+    loop {
+        n += 1;
+        term = -&(&(&term * &small) / &Interval::whole(n));
+        let left_out = term.magnitude();
+        if left_out < (2.0_f64).powi(-(F::BITS as i32) - 8) || n > 1000 {
+            sum = &sum + &Interval::within(left_out);
+            break;
+        }
+        sum = &sum + &term;
+    }
+    for _ in 0..halvings {
+        sum = sum.squared();
+    }
+    sum
+}
+
 /// `π = 16 atan(1/5) - 4 atan(1/239)` (Machin).
 pub fn pi<F: Directed>() -> Interval<F> {
     pi_to(F::BITS as i32 + 8)

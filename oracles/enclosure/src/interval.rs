@@ -110,6 +110,16 @@ impl<F: Directed> Interval<F> {
         Self { lower: lower.clone(), upper: upper.clone() }
     }
 
+    /// The shortest interval that contains both.
+    pub fn or(&self, other: &Self) -> Self {
+        // Also where an end is not a number.
+        let lower = if other.lower >= self.lower { &self.lower } else { &other.lower };
+        let upper = if other.upper <= self.upper { &self.upper } else { &other.upper };
+        let any =
+            |one: &F, two: &F, end: &F| if one.partial_cmp(two).is_some() { end.clone() } else { F::exactly(f64::NAN) };
+        Self { lower: any(&self.lower, &other.lower, lower), upper: any(&self.upper, &other.upper, upper) }
+    }
+
     /// From zero (or the lower end, if that is below) to the upper end.
     pub fn down_to_zero(&self) -> Self {
         let zero = F::exactly(0.0);
@@ -118,11 +128,23 @@ impl<F: Directed> Interval<F> {
         Self { lower, upper: self.upper.clone() }
     }
 
-    pub fn squared(&self) -> Self {
-        let product = self * self;
-        // The product of two independent numbers can be negative; a square can't.
+    /// The shortest interval with zero in it that contains this one.
+    pub fn with_zero(&self) -> Self {
         let zero = F::exactly(0.0);
-        if product.lower < zero { Self { lower: zero, upper: product.upper } } else { product }
+        let upper = if self.upper < zero { zero } else { self.upper.clone() };
+        Self { lower: self.down_to_zero().lower, upper }
+    }
+
+    /// The same, where it is known that the number is not below zero.
+    pub fn not_below_zero(&self) -> Self {
+        let zero = || F::exactly(0.0);
+        let end = |end: &F| if *end < zero() { zero() } else { end.clone() };
+        Self { lower: end(&self.lower), upper: end(&self.upper) }
+    }
+
+    pub fn squared(&self) -> Self {
+        // The product of two independent numbers can be negative; a square can't.
+        (self * self).not_below_zero()
     }
 
     /// The square root; not a number if the interval reaches below zero.

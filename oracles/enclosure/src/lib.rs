@@ -10,6 +10,7 @@
 #![cfg_attr(test, allow(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used))]
 
 mod bounds;
+mod bouts;
 mod critical;
 mod digits;
 mod directed;
@@ -18,12 +19,16 @@ mod equation;
 mod excitation;
 mod flight;
 mod functions;
+mod ground;
 mod interval;
 mod ladder;
 mod oracle;
 mod piece;
+mod pull;
+mod responses;
 mod rest;
 mod sequence;
+mod shaking;
 #[cfg(test)]
 mod tests;
 mod twofold;
@@ -31,3 +36,4 @@ mod twofold;
 pub use bounds::Bounds;
 pub use critical::{Critical, critical_amplitude};
 pub use oracle::{Enclosed, EnclosedImpact, Enclosure};
+pub use responses::{EnclosedBout, EnclosedEnd};

@@ -1,5 +1,6 @@
 use contract::{
-    Case, Decline, Ending, Estimate, History, Horizon, Impact, Invalid, Limit, Model, Oracle, Slenderness, Uncertainty,
+    Body, Case, Decline, Ending, Estimate, Followed, History, Horizon, Impact, Invalid, Limit, Model, Motion, Oracle,
+    Slenderness, Uncertainty,
 };
 
 use crate::{
@@ -7,14 +8,15 @@ use crate::{
     directed::Directed,
     interval::Interval,
     ladder::{Attempt, bits_for, climb},
+    responses::EnclosedBout,
     sequence::{self, End, Sequence, Wanted},
 };
 
 /// The oracle whose claims are proven.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Enclosure {
-    model: Model,
-    digits: u32,
+    pub(crate) model: Model,
+    pub(crate) digits: u32,
 }
 
 /// Everything that is proven of a case.
@@ -102,7 +104,22 @@ impl Enclosure {
     }
 }
 
-fn within(field: &'static str, value: f64, least: f64, most: f64, allowed: &'static str) -> Result<(), Decline> {
+/// What is proven of one impact; `None` if a bound is not a number.
+pub(crate) fn enclosed_impact<F: Directed>(impact: sequence::Impact<F>) -> Option<EnclosedImpact> {
+    Some(EnclosedImpact {
+        time: Bounds::new(&impact.time)?,
+        interval: Bounds::new(&impact.interval)?,
+        velocity: Bounds::new(&impact.side.of(&impact.speed))?,
+    })
+}
+
+pub(crate) fn within(
+    field: &'static str,
+    value: f64,
+    least: f64,
+    most: f64,
+    allowed: &'static str,
+) -> Result<(), Decline> {
     if (least..=most).contains(&value) { Ok(()) } else { Err(Decline::OutOfRange { field, value, allowed }) }
 }
 
@@ -133,14 +150,7 @@ impl Attempt for Following<'_> {
 
 /// What a sequence proves; `None` if that is nothing.
 fn enclosed<F: Directed>(sequence: Sequence<F>) -> Option<Enclosed> {
-    let impacts = sequence.impacts.into_iter().map(|impact| {
-        let velocity = if impact.side.sign() > 0.0 { impact.speed } else { -&impact.speed };
-        Some(EnclosedImpact {
-            time: Bounds::new(&impact.time)?,
-            interval: Bounds::new(&impact.interval)?,
-            velocity: Bounds::new(&velocity)?,
-        })
-    });
+    let impacts = sequence.impacts.into_iter().map(enclosed_impact);
     let (ending, chattering_time) = match &sequence.end {
         End::NeverRocks => (Ending::NeverRocks, None),
         End::Complete(time) => (Ending::AtRest, Some(Bounds::new(time)?)),
@@ -168,26 +178,37 @@ impl Oracle for Enclosure {
     fn history(&self, case: &Case) -> Result<History, Decline> {
         Ok(self.enclose(case)?.history())
     }
+
+    fn bouts_on(&self, body: &Body, motion: &Motion, asked: &Followed) -> Result<Vec<contract::Bout>, Decline> {
+        Ok(self.enclose_on(body, motion, asked)?.iter().map(EnclosedBout::bout).collect())
+    }
+}
+
+/// The middle of an interval, and half its width.
+pub(crate) fn estimate(bounds: &Bounds) -> Estimate {
+    let (value, uncertainty) = bounds.middle();
+    Estimate { value, uncertainty }
+}
+
+impl EnclosedImpact {
+    pub(crate) fn impact(&self) -> Impact {
+        let relative = |bounds: &Bounds| {
+            let (value, uncertainty) = bounds.middle();
+            (value, (uncertainty / bounds.lower().abs().min(bounds.upper().abs())).next_up())
+        };
+        let (time, time_claim) = self.time.middle();
+        let (interval, interval_claim) = relative(&self.interval);
+        let (velocity, velocity_claim) = relative(&self.velocity);
+        let uncertainty = Uncertainty { time: time_claim, interval: interval_claim, velocity: velocity_claim };
+        Impact { time, interval, velocity, uncertainty }
+    }
 }
 
 impl Enclosed {
     /// The same as a history: the middle of each interval, and half its width as what is claimed.
     pub fn history(&self) -> History {
-        let relative = |bounds: &Bounds| {
-            let (value, uncertainty) = bounds.middle();
-            (value, (uncertainty / bounds.lower().abs().min(bounds.upper().abs())).next_up())
-        };
-        let impacts = self.impacts.iter().map(|impact| {
-            let (time, time_claim) = impact.time.middle();
-            let (interval, interval_claim) = relative(&impact.interval);
-            let (velocity, velocity_claim) = relative(&impact.velocity);
-            let uncertainty = Uncertainty { time: time_claim, interval: interval_claim, velocity: velocity_claim };
-            Impact { time, interval, velocity, uncertainty }
-        });
-        let chattering_time = self.chattering_time.as_ref().map(|bounds| {
-            let (value, uncertainty) = bounds.middle();
-            Estimate { value, uncertainty }
-        });
+        let impacts = self.impacts.iter().map(EnclosedImpact::impact);
+        let chattering_time = self.chattering_time.as_ref().map(estimate);
         History { impacts: impacts.collect(), ending: self.ending, chattering_time }
     }
 }

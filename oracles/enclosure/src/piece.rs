@@ -5,19 +5,16 @@ use core::cell::Cell;
 use crate::{
     directed::Directed,
     equation::{Coefficients, Equation, Start},
-    excitation::{Excitation, Pull},
     interval::Interval,
+    pull::Pull,
     twofold::Twofold,
 };
 
-/// A motion with everything that its pieces need to know, in the format of the state and in doubles.
+/// A block in motion with everything that its pieces need to know, in the format of the state and in doubles.
 pub struct Motion<F> {
-    pub excitation: Excitation<F>,
     pub equation: Equation<F>,
     /// Doubles are enough for bounds.
     pub coarse: Equation<f64>,
-    /// Every pull there can be, and every slope of one.
-    any_pull: Pull<f64>,
     /// A bound on `|x''| - |x|`.
     drive: f64,
     /// No piece is longer.
@@ -61,19 +58,11 @@ const MOST_NARROWINGS: usize = 200;
 const MOST_CELLS: usize = 4000;
 
 impl<F: Directed> Motion<F> {
-    /// The motion of a block of slenderness `alpha` (or a slender one) under an excitation `1 + epsilon` times the threshold.
-    pub fn new(epsilon: &Interval<F>, omega: f64, alpha: Option<f64>) -> Self {
-        let excitation = Excitation::new(epsilon, omega);
-        let equation = Equation::new(&excitation, alpha);
-        let amplitude = excitation.amplitude.convert::<f64>();
-        let coarse = Equation::new(&Excitation::new(&epsilon.convert(), omega), alpha);
-        let bound = amplitude.magnitude();
-        let any_pull = Pull {
-            value: &Interval::exactly(1.0) + &Interval::within(bound),
-            slope: &Interval::exactly(omega) * &Interval::within(bound),
-        };
-        let drive = coarse.drive(&amplitude);
-        Self { excitation, equation, coarse, any_pull, drive, longest: (4.0 / omega).min(2.0), effort: Cell::new(0) }
+    /// The motion of a block of slenderness `alpha` (or a slender one) on ground of no more than this `amplitude`, which changes at this `rate`.
+    pub fn new(amplitude: &Interval<F>, rate: f64, alpha: Option<f64>) -> Self {
+        let (equation, coarse) = (Equation::new(alpha), Equation::new(alpha));
+        let drive = coarse.drive(&amplitude.convert());
+        Self { equation, coarse, drive, longest: (4.0 / rate).min(2.0), effort: Cell::new(0) }
     }
 
     /// Whether to go on with these digits, or with more of them, would take too long.
@@ -82,7 +71,7 @@ impl<F: Directed> Motion<F> {
     }
 
     /// Everything that a piece of this length can meet: by comparison with `y'' = y + drive`, `|x| <= y` and `|x'| <= y'`.
-    fn reach(&self, start: &Start<F>, length: f64) -> Start<f64> {
+    fn reach(&self, start: &Start<F>, any_pull: Pull<f64>, length: f64) -> Start<f64> {
         let (h, drive) = (Interval::<f64>::exactly(length), Interval::exactly(self.drive));
         let distance = Interval::exactly(start.distance.magnitude());
         let velocity = Interval::exactly(start.velocity.magnitude());
@@ -95,12 +84,18 @@ impl<F: Directed> Motion<F> {
         Start {
             distance: Interval::within((&cosh * &grown).magnitude()),
             velocity: Interval::within((&cosh * &faster).magnitude()),
-            pull: self.any_pull.clone(),
+            pull: any_pull,
         }
     }
 
-    /// The piece from `start` on, of the length given or shorter. `None` if none can be made.
-    pub fn piece(&self, start: &Start<F>, deflation: usize, length: f64) -> Option<Piece<F>> {
+    /// The piece from `start` on, of the length given or shorter, where `any_pull` contains every pull within a time. `None` if none can be made.
+    pub fn piece(
+        &self,
+        start: &Start<F>,
+        any_pull: &dyn Fn(f64) -> Pull<f64>,
+        deflation: usize,
+        length: f64,
+    ) -> Option<Piece<F>> {
         if self.exhausted() {
             return None;
         }
@@ -115,7 +110,7 @@ impl<F: Directed> Motion<F> {
         }
         let mut length = self.suggested_length(&fine, deflation).min(length);
         for _ in 0..MOST_HALVINGS {
-            if let Some((degree, remainder)) = self.degree(start, deflation, length, needed) {
+            if let Some((degree, remainder)) = self.degree(start, any_pull(length), deflation, length, needed) {
                 while fine.motion.len() < degree {
                     fine.extend();
                 }
@@ -143,8 +138,15 @@ impl<F: Directed> Motion<F> {
     }
 
     /// The least degree whose remainder is small enough, and a bound on its coefficient on the whole piece.
-    fn degree(&self, start: &Start<F>, deflation: usize, length: f64, needed: f64) -> Option<(usize, f64)> {
-        let reach = self.reach(start, length);
+    fn degree(
+        &self,
+        start: &Start<F>,
+        any_pull: Pull<f64>,
+        deflation: usize,
+        length: f64,
+        needed: f64,
+    ) -> Option<(usize, f64)> {
+        let reach = self.reach(start, any_pull, length);
         let mut bounds = self.coarse.coefficients(&reach);
         let length = Interval::<f64>::exactly(length);
         // The length to the power of the degree less the deflation.
@@ -264,14 +266,13 @@ impl<F: Directed> Piece<F> {
         &power(root, self.deflation) * &self.slope(root)
     }
 
-    /// Distance and velocity at the end of the piece.
-    pub fn end(&self) -> (Interval<F>, Interval<F>) {
-        let s = Interval::exactly(self.length);
-        let (value, slope) = (self.deflated(&s), self.slope(&s));
-        let distance = &power(&s, self.deflation) * &value;
+    /// Distance and velocity at a time that is not after the end of the piece.
+    pub fn at(&self, s: &Interval<F>) -> (Interval<F>, Interval<F>) {
+        let (value, slope) = (self.deflated(s), self.slope(s));
+        let distance = &power(s, self.deflation) * &value;
         let velocity = match self.deflation {
             0 => slope,
-            d => &power(&s, d - 1) * &(&(&Interval::whole(d) * &value) + &(&s * &slope)),
+            d => &power(s, d - 1) * &(&(&Interval::whole(d) * &value) + &(s * &slope)),
         };
         (distance, velocity)
     }

@@ -4,11 +4,12 @@ use contract::{Case, Horizon, Normalisation, Slenderness};
 
 use crate::{
     directed::Directed,
-    excitation::{HalfPhase, Side},
-    flight::{Outcome, Takeoff},
+    excitation::{Excitation, HalfPhase},
+    flight::{From, Outcome, Takeoff},
     functions::{pi, sin_cos},
     interval::Interval,
     piece::Motion,
+    pull::Side,
     rest,
 };
 
@@ -60,7 +61,7 @@ pub struct Wanted {
 }
 
 /// Speeds below this one are not resolved: doubles bound what is left out, and that is smaller by as much as there are bits.
-fn slowest<F: Directed>() -> f64 {
+pub fn slowest<F: Directed>() -> f64 {
     (2.0_f64).powi(F::BITS as i32 - 960).max(1e-250)
 }
 
@@ -101,25 +102,26 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
     if !epsilon.is_positive() {
         return clear(impacts, End::Unclear);
     }
-    let motion = Motion::new(&epsilon, case.omega(), slenderness.map(|s| s.alpha()));
+    let excitation = Excitation::new(&epsilon, case.omega());
+    let motion = Motion::new(&excitation.amplitude, case.omega(), slenderness.map(|s| s.alpha()));
     let eta = Interval::exactly(case.eta());
     let (horizon, beyond) = match case.horizon() {
-        Horizon::HalfPeriod => (&pi() / &motion.excitation.omega, End::HalfPeriod),
+        Horizon::HalfPeriod => (&pi() / &excitation.omega, End::HalfPeriod),
         Horizon::Until(time) => (Interval::exactly(time), End::Horizon),
     };
 
     let mut time = Interval::zero();
     let mut phase = HalfPhase::start();
     let mut side = Side::Minus;
-    let mut speed = Interval::zero();
+    let mut from = From::Threshold;
     let mut complete: Option<Interval<F>> = None;
     let mut followed = 0;
     loop {
         followed += 1;
-        let takeoff = Takeoff { phase, side, speed, horizon: &horizon - &time };
-        let (interval, landing_speed) = match motion.fly(takeoff) {
-            Outcome::Landing { interval, speed, phase: at } => {
-                phase = at;
+        let takeoff = Takeoff { moment: phase, side, from, horizon: &horizon - &time };
+        let (interval, landing_speed) = match motion.fly(&excitation, takeoff) {
+            Outcome::Landing { interval, speed, moment } => {
+                phase = moment;
                 (interval, speed)
             }
             Outcome::Aloft => return clear(impacts, beyond),
@@ -135,12 +137,11 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
             return clear(impacts, End::Unclear);
         }
         side = side.other();
-        speed = &eta * &landing_speed;
+        let speed = &eta * &landing_speed;
         if impacts.len() < wanted.impacts {
             impacts.push(Impact { time: time.clone(), interval, speed: speed.clone(), side });
         }
-        let pull_of = |side| motion.excitation.pull(&phase, side);
-        if let Some(left) = rest::time_left(&motion, pull_of, side, &speed, case.eta()) {
+        if let Some(left) = rest::time_left(&motion, &excitation, &phase, side, &speed, case.eta()) {
             let closed = &time + &left;
             // Whatever was known of the chattering time before is still true.
             complete = Some(complete.map_or_else(|| closed.clone(), |before| before.and(&closed)));
@@ -153,5 +154,6 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
         if followed >= wanted.followed.max(wanted.impacts) {
             return exhausted(impacts, complete, wanted);
         }
+        from = From::Impact(speed);
     }
 }

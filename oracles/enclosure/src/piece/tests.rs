@@ -5,8 +5,10 @@ use crate::{
     bounds::Bounds,
     digits::Digits,
     equation::Start,
-    excitation::{HalfPhase, Side},
+    excitation::{Excitation, HalfPhase},
+    ground::Ground,
     interval::Interval,
+    pull::{Pull, Side},
 };
 
 type Coarse = Digits<256>;
@@ -22,19 +24,30 @@ const FLIGHTS: [(f64, f64, Option<f64>, f64, f64); 6] = [
     (1.0, 0.5, Some(0.1), 5.0, 0.3),
 ];
 
-fn start<F: crate::directed::Directed>(motion: &Motion<F>, time: f64, speed: f64) -> Start<F> {
-    let phase = motion.excitation.later(&HalfPhase::start(), &Interval::exactly(time));
+fn block<F: crate::directed::Directed>(epsilon: f64, omega: f64, alpha: Option<f64>) -> (Excitation<F>, Motion<F>) {
+    let excitation = Excitation::new(&Interval::exactly(epsilon), omega);
+    let motion = Motion::new(&excitation.amplitude, omega, alpha);
+    (excitation, motion)
+}
+
+/// Every pull that there is.
+fn any<F: crate::directed::Directed>(excitation: &Excitation<F>) -> Pull<f64> {
+    excitation.any_pull(&HalfPhase::start(), Side::Plus, 1.0)
+}
+
+fn start<F: crate::directed::Directed>(excitation: &Excitation<F>, time: f64, speed: f64) -> Start<F> {
+    let phase = excitation.later(&HalfPhase::start(), &Interval::exactly(time));
     let side = if time > 0.0 { Side::Plus } else { Side::Minus };
-    Start { distance: Interval::zero(), velocity: Interval::exactly(speed), pull: motion.excitation.pull(&phase, side) }
+    Start { distance: Interval::zero(), velocity: Interval::exactly(speed), pull: excitation.pull(&phase, side) }
 }
 
 /// The piece of a flight with a remainder of about a part in a million, and the same in twice the digits.
 fn pieces((epsilon, omega, alpha, time, speed): (f64, f64, Option<f64>, f64, f64)) -> (Piece<Coarse>, Piece<Fine>) {
     let deflation = if speed > 0.0 { 1 } else { 3 };
-    let fine_motion = Motion::<Fine>::new(&Interval::exactly(epsilon), omega, alpha);
-    let fine = fine_motion.piece(&start(&fine_motion, time, speed), deflation, 0.4).unwrap();
-    let motion = Motion::<Coarse>::new(&Interval::exactly(epsilon), omega, alpha);
-    let start = start(&motion, time, speed);
+    let (excitation, motion) = block::<Fine>(epsilon, omega, alpha);
+    let fine = motion.piece(&start(&excitation, time, speed), &|_| any(&excitation), deflation, 0.4).unwrap();
+    let (excitation, motion) = block::<Coarse>(epsilon, omega, alpha);
+    let start = start(&excitation, time, speed);
     let mut coefficients = motion.equation.coefficients(&start);
     let leading = {
         while coefficients.motion.len() < deflation + 3 {
@@ -42,7 +55,7 @@ fn pieces((epsilon, omega, alpha, time, speed): (f64, f64, Option<f64>, f64, f64
         }
         coefficients.motion[deflation].middle()
     };
-    let (degree, remainder) = motion.degree(&start, deflation, fine.length, 1e-6 * leading).unwrap();
+    let (degree, remainder) = motion.degree(&start, any(&excitation), deflation, fine.length, 1e-6 * leading).unwrap();
     while coefficients.motion.len() < degree {
         coefficients.extend();
     }
@@ -80,8 +93,8 @@ fn a_piece_contains_the_motion_and_without_its_remainder_it_does_not() {
             caught += usize::from(missed == [true, true]);
         }
         assert!(caught > 95, "{flight:?}: the dropped remainder was noticed at {caught} of 100 moments");
-        let (distance, velocity) = coarse.end();
-        let (fine_distance, fine_velocity) = fine.end();
+        let (distance, velocity) = coarse.at(&Interval::exactly(coarse.length));
+        let (fine_distance, fine_velocity) = fine.at(&Interval::exactly(fine.length));
         assert!(contains(&distance, &fine_distance) && contains(&velocity, &fine_velocity));
     }
 }
@@ -106,20 +119,23 @@ fn the_impact_is_contained_and_without_the_remainder_it_is_not() {
 fn no_motion_leaves_its_reach() {
     for flight in FLIGHTS {
         let (epsilon, omega, alpha, time, speed) = flight;
-        let motion = Motion::<f64>::new(&Interval::exactly(epsilon), omega, alpha);
+        let (excitation, motion) = block::<f64>(epsilon, omega, alpha);
         let (_, fine) = pieces(flight);
-        let reach = motion.reach(&start(&motion, time, speed), fine.length);
-        let (distance, velocity) = fine.end();
+        let reach = motion.reach(&start(&excitation, time, speed), any(&excitation), fine.length);
+        let (distance, velocity) = fine.at(&Interval::exactly(fine.length));
         assert!(
             distance.magnitude() <= reach.distance.magnitude() && velocity.magnitude() <= reach.velocity.magnitude()
         );
     }
     // `cosh h` and `sinh h` themselves, for a motion that only grows.
-    let motion = Motion::<f64>::new(&Interval::exactly(1e-9), 2.0, None);
+    let (excitation, motion) = block::<f64>(1e-9, 2.0, None);
     for h in [1e-9, 1e-3, 0.1, 0.5, 1.0, 1.5, 2.0_f64] {
-        let at =
-            Start { distance: Interval::exactly(1.0), velocity: Interval::exactly(0.5), ..start(&motion, 0.0, 0.0) };
-        let reach = motion.reach(&at, h);
+        let at = Start {
+            distance: Interval::exactly(1.0),
+            velocity: Interval::exactly(0.5),
+            ..start(&excitation, 0.0, 0.0)
+        };
+        let reach = motion.reach(&at, any(&excitation), h);
         let drive = motion.drive;
         let distance = h.cosh() + 0.5 * h.sinh() + drive * (h.cosh() - 1.0);
         let velocity = h.sinh() + 0.5 * h.cosh() + drive * h.sinh();
@@ -133,10 +149,10 @@ fn no_motion_leaves_its_reach() {
 #[test]
 fn every_piece_is_made_with_a_remainder_that_bounds_the_next_coefficient() {
     for (epsilon, omega, alpha, time, speed) in FLIGHTS {
-        let motion = Motion::<Coarse>::new(&Interval::exactly(epsilon), omega, alpha);
-        let start = start(&motion, time, speed);
+        let (excitation, motion) = block::<Coarse>(epsilon, omega, alpha);
+        let start = start(&excitation, time, speed);
         let deflation = if speed > 0.0 { 1 } else { 3 };
-        let piece = motion.piece(&start, deflation, 0.4).unwrap();
+        let piece = motion.piece(&start, &|_| any(&excitation), deflation, 0.4).unwrap();
         let degree = piece.coefficients.len() + deflation;
         let mut coefficients = motion.equation.coefficients(&start);
         while coefficients.motion.len() <= degree {

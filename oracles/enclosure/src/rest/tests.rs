@@ -3,10 +3,18 @@
 use super::{flights, time_left};
 use crate::{
     equation::Start,
-    excitation::{HalfPhase, Side},
+    excitation::{Excitation, HalfPhase},
+    ground::Ground,
     interval::Interval,
     piece::Motion,
+    pull::Side,
 };
+
+fn block(epsilon: f64, omega: f64, alpha: Option<f64>) -> (Excitation<f64>, Motion<f64>) {
+    let excitation = Excitation::new(&Interval::exactly(epsilon), omega);
+    let motion = Motion::new(&excitation.amplitude, omega, alpha);
+    (excitation, motion)
+}
 
 /// In slow shaking, and in shaking that is fast and strong: what the forcing's slope changes by goes as `aω²`, and neither factor stands for it alone.
 #[test]
@@ -18,22 +26,22 @@ fn no_acceleration_in_the_window_is_beyond_its_bounds() {
 fn check(epsilon: f64, omega: f64, [speed, window]: [f64; 2], least_windows: usize) {
     let mut found = 0;
     for alpha in [None, Some(0.3), Some(0.8)] {
-        let motion = Motion::<f64>::new(&Interval::exactly(epsilon), omega, alpha);
+        let (excitation, motion) = block(epsilon, omega, alpha);
         // From the start to past the greatest excitation, where its slope vanishes and only its bend tells how it goes on.
         for n in 0..=30 {
-            let phase = motion.excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
+            let phase = excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
             for side in [Side::Plus, Side::Minus] {
-                let pull = motion.excitation.pull(&phase, side);
-                let Some(bounds) = flights(&motion, &pull, &Interval::exactly(speed), window, 0.5) else { continue };
+                let pulls = excitation.window(&phase, side, &Interval::exactly(window)).unwrap();
+                let Some(bounds) = flights(&motion, &pulls, &Interval::exactly(speed), 0.5) else { continue };
                 found += 1;
                 for t in 0..=10 {
-                    let at = motion.excitation.later(&phase, &Interval::exactly(window * f64::from(t) / 10.0));
+                    let at = excitation.later(&phase, &Interval::exactly(window * f64::from(t) / 10.0));
                     for x in 0..=10 {
                         let height = 0.5 * speed * speed / bounds.acceleration.upper * f64::from(x) / 10.0;
                         let start = Start {
                             distance: Interval::exactly(height),
                             velocity: Interval::zero(),
-                            pull: motion.excitation.pull(&at, side),
+                            pull: excitation.pull(&at, side),
                         };
                         let towards = -2.0 * motion.equation.coefficients(&start).extend().middle();
                         let (least, most) = (bounds.acceleration.lower, bounds.acceleration.upper);
@@ -56,15 +64,14 @@ fn what_is_left_is_inside_the_window() {
     let (mut nearly_full, mut refused) = (0, 0);
     for eta in [0.05, 0.5, 0.8, 0.92] {
         for omega in [0.3, 2.0, 20.0] {
-            let motion = Motion::<f64>::new(&Interval::exactly(0.03), omega, None);
+            let (excitation, motion) = block(0.03, omega, None);
             for n in 1..=30 {
-                let phase =
-                    motion.excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
-                let pull = |side| motion.excitation.pull(&phase, side);
-                let [ours, others] = [Side::Plus, Side::Minus].map(|side| pull(side).value.middle());
+                let phase = excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
+                let [ours, others] = [Side::Plus, Side::Minus].map(|side| excitation.pull(&phase, side).value.middle());
                 for k in 0..60 {
                     let speed = 0.5 * 0.8_f64.powi(k);
-                    let left = time_left(&motion, pull, Side::Plus, &Interval::exactly(speed), eta);
+                    let speed_now = Interval::exactly(speed);
+                    let left = time_left(&motion, &excitation, &phase, Side::Plus, &speed_now, eta);
                     let steady = 2.0 * speed * (1.0 / ours + eta / others) / (1.0 - eta * eta);
                     match left {
                         Some(left) => {

@@ -5,8 +5,10 @@ use proptest::prelude::*;
 use crate::{
     digits::Digits,
     equation::{Equation, Start},
-    excitation::{Excitation, HalfPhase, Side},
+    excitation::{Excitation, HalfPhase},
+    ground::Ground,
     interval::Interval,
+    pull::Side,
 };
 
 proptest! {
@@ -27,7 +29,7 @@ proptest! {
         prop_assert!((pull.slope.middle() - i * a * omega * theta.cos()).abs() < 1e-11);
         let block = -((alpha * (i - phi)).sin() + alpha.tan() * f * (alpha * (i - phi)).cos()) / alpha;
         for (alpha, expected) in [(None, phi - i - f), (Some(alpha), block)] {
-            let equation = Equation::new(&excitation, alpha);
+            let equation = Equation::new(alpha);
             let start = Start { distance: Interval::exactly(x), velocity: Interval::exactly(0.3), pull: pull.clone() };
             let found = 2.0 * i * equation.coefficients(&start).extend().middle();
             prop_assert!((found - expected).abs() < 1e-11 * (1.0 + expected.abs()), "{found} {expected}");
@@ -53,12 +55,12 @@ fn a_block_is_overturned_from_where_nothing_can_bring_it_back() {
         for a in [1.01, 1.3, 2.0_f64] {
             let excitation = Excitation::<Digits<128>>::new(&point(a - 1.0), 2.0);
             let amplitude = excitation.amplitude.clone();
-            let block = Equation::new(&excitation, Some(alpha));
+            let block = Equation::new(Some(alpha));
             let border = 1.0 + (a * alpha.tan()).atan() / alpha;
             let overturned = |x: f64, v: f64| block.overturned(&point(x), &point(v), &amplitude);
             assert!(overturned(border + 1e-9, 1e-3) && !overturned(border - 1e-9, 1e-3), "{alpha} {a}");
             assert!(!overturned(border + 1e-9, -1e-3) && !overturned(0.5, 10.0), "{alpha} {a}");
-            let slender = Equation::new(&excitation, None);
+            let slender = Equation::new(None);
             let overturned = |x: f64, v: f64| slender.overturned(&point(x), &point(v), &amplitude);
             assert!(overturned(0.5, 0.5 + a + 1e-9) && !overturned(0.5, 0.5 + a - 1e-9), "{a}");
             assert!(!overturned(-0.5, 2.0 + a), "{a}");

@@ -8,9 +8,11 @@ use crate::{
     digits::Digits,
     directed::Directed,
     equation::Start,
-    excitation::{HalfPhase, Side},
+    excitation::{Excitation, HalfPhase},
+    ground::Ground,
     interval::Interval,
     piece::Motion,
+    pull::Side,
     sequence::{self, Impact, Wanted},
 };
 
@@ -85,14 +87,17 @@ fn found<F: Directed>(case: &Case) -> Vec<Option<Bounds>> {
             [bounds(|i| &i.time), bounds(|i| &i.interval), bounds(|i| &i.speed)]
         })
         .collect();
-    let motion = Motion::<F>::new(&Interval::exactly(case.epsilon()), case.omega(), None);
-    let pull = motion.excitation.pull(&HalfPhase::start(), Side::Minus);
+    let excitation = Excitation::<F>::new(&Interval::exactly(case.epsilon()), case.omega());
+    let motion = Motion::new(&excitation.amplitude, case.omega(), None);
+    let any_pull = |length| excitation.any_pull(&HalfPhase::start(), Side::Minus, length);
+    let pull = excitation.pull(&HalfPhase::start(), Side::Minus);
     let start = Start { distance: Interval::zero(), velocity: Interval::zero(), pull };
     for n in 1..=40 {
         let time = 0.01 * f64::from(n);
-        let phase = motion.excitation.later(&HalfPhase::start(), &Interval::exactly(time));
-        let pull = motion.excitation.pull(&phase, Side::Plus);
-        let (distance, velocity) = motion.piece(&start, 3, 0.1 * time).unwrap().end();
+        let phase = excitation.later(&HalfPhase::start(), &Interval::exactly(time));
+        let pull = excitation.pull(&phase, Side::Plus);
+        let piece = motion.piece(&start, &any_pull, 3, 0.1 * time).unwrap();
+        let (distance, velocity) = piece.at(&Interval::exactly(piece.length));
         all.extend([pull.value, pull.slope, distance, velocity].iter().map(Bounds::new));
     }
     all

@@ -5,6 +5,7 @@
 mod critical;
 mod first_root;
 mod hard;
+mod motions;
 mod nested;
 mod references;
 
