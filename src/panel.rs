@@ -79,6 +79,8 @@ pub struct Follows {
     pub model: Model,
     /// What its flights are worth.
     pub accuracy: f64,
+    /// Whether it is asked for wavelets, which have no closed form.
+    pub wavelets: bool,
     /// Whether the table of its response is looked at as well; once for each equation is enough.
     pub table: bool,
 }
@@ -119,7 +121,13 @@ const TABLE: [Method; 8] = [
         by_name: &[],
         may_decline: HARDLY_ANY,
         roles: &[Role::Stepper, Role::Sensitivities, Role::SlendernessShifts],
-        responses: &[Follows { oracle: "closed-form", model: Model::Linear, accuracy: 1e-13, table: true }],
+        responses: &[Follows {
+            oracle: "closed-form",
+            model: Model::Linear,
+            accuracy: 1e-13,
+            table: true,
+            wavelets: false,
+        }],
         make: |_, _| Ok(Box::new(ClosedForm)),
     },
     Method {
@@ -144,8 +152,20 @@ const TABLE: [Method; 8] = [
         may_decline: HARDLY_ANY,
         roles: &[],
         responses: &[
-            Follows { oracle: "ode/linear/tsit45", model: Model::Linear, accuracy: 4e-11, table: false },
-            Follows { oracle: "ode/nonlinear/tsit45", model: Model::Nonlinear, accuracy: 4e-11, table: false },
+            Follows {
+                oracle: "ode/linear/tsit45",
+                model: Model::Linear,
+                accuracy: 4e-11,
+                table: false,
+                wavelets: true,
+            },
+            Follows {
+                oracle: "ode/nonlinear/tsit45",
+                model: Model::Nonlinear,
+                accuracy: 4e-11,
+                table: false,
+                wavelets: true,
+            },
         ],
         make: |settings, model| Ok(Box::new(ode(settings, model)?)),
     },
@@ -159,8 +179,8 @@ const TABLE: [Method; 8] = [
         may_decline: HARDLY_ANY,
         roles: &[Role::Stepper],
         responses: &[
-            Follows { oracle: "taylor", model: Model::Linear, accuracy: 4e-12, table: false },
-            Follows { oracle: "taylor", model: Model::Nonlinear, accuracy: 1e-13, table: true },
+            Follows { oracle: "taylor", model: Model::Linear, accuracy: 4e-12, table: false, wavelets: true },
+            Follows { oracle: "taylor", model: Model::Nonlinear, accuracy: 1e-13, table: true, wavelets: true },
         ],
         make: |_, _| Ok(Box::new(Taylor)),
     },

@@ -3,19 +3,19 @@
 use std::path::Path;
 
 use chattercheck::{
-    cases::shaking::Shaking,
+    cases::shaking::Question,
     gate::{
         partition::{Partition, cost_of_response},
         progress::Progress,
         responses::{self, Failure, Report, Responder, Selection},
     },
-    responders::{self, Stepped},
+    responders::{self, Proven, Stepped},
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
 
 use super::{
-    files::{make_folder, write_numbered},
+    files::{make_folder, write_new, write_numbered},
     numbers::count,
     output::note,
 };
@@ -40,7 +40,8 @@ pub(super) struct Chosen {
     /// How many of all parts.
     asked: usize,
     methods: Vec<Stepped>,
-    shakings: Vec<(String, Shaking)>,
+    judges: Vec<Proven>,
+    questions: Vec<(String, Question)>,
 }
 
 impl Responses {
@@ -65,9 +66,9 @@ impl Responses {
             let allowed = "0, as none of the oracles asked (--oracles) follows whole responses";
             return Err(Invalid::new("responses", responses, allowed));
         }
-        let all = responses::shakings(&Selection { responses, seed });
-        let costs: Vec<f64> = all.iter().map(|(_, shaking)| cost_of_response(shaking)).collect();
-        Ok(Chosen { asked: responses, methods, shakings: partition.of(all, &costs) })
+        let all = responses::questions(&Selection { responses, seed });
+        let costs: Vec<f64> = all.iter().map(|(_, question)| cost_of_response(question)).collect();
+        Ok(Chosen { asked: responses, methods, judges: responders::judges(), questions: partition.of(all, &costs) })
     }
 }
 
@@ -79,25 +80,28 @@ impl Chosen {
 
     /// The names of the methods that are asked for them; none where none are run.
     pub fn responders(&self) -> Vec<String> {
-        let asked = self.methods.iter().filter(|_| self.asked > 0);
-        asked.map(|method| method.name.clone()).collect()
+        if self.asked == 0 {
+            return Vec::new();
+        }
+        self.methods().iter().map(|method| method.name().to_owned()).collect()
     }
 
     pub fn len(&self) -> usize {
-        self.shakings.len()
+        self.questions.len()
     }
 
     /// Runs them; `None` where there are none. How many seconds each took is the last.
     pub fn run(&self, progress: &impl Progress) -> (Option<Report>, Vec<Failure>, Vec<f64>) {
-        if self.shakings.is_empty() {
+        if self.questions.is_empty() {
             return (None, Vec::new(), Vec::new());
         }
-        let (report, failures, seconds) = responses::timed(&self.methods(), &self.shakings, progress);
+        let (report, failures, seconds) = responses::timed(&self.methods(), &self.questions, progress);
         (Some(report), failures, seconds)
     }
 
     fn methods(&self) -> Vec<&dyn Responder> {
-        self.methods.iter().map(|method| method as &dyn Responder).collect()
+        let stepped = self.methods.iter().map(|method| method as &dyn Responder);
+        stepped.chain(self.judges.iter().map(|judge| judge as &dyn Responder)).collect()
     }
 
     /// Shrinks the first finding of a few failures, and writes each as a scene.
@@ -114,15 +118,17 @@ impl Chosen {
     ) -> anyhow::Result<()> {
         for failure in failures.iter().take(MOST_SCENES) {
             let Some(first) = failure.findings.first() else { continue };
-            let (shaking, finding) = if watch.is_interrupted() {
-                (failure.shaking, first.clone())
+            let (question, finding) = if watch.is_interrupted() {
+                (failure.question.clone(), first.clone())
             } else {
-                responses::shrink(&self.methods(), &failure.shaking, first)
+                responses::shrink(&self.methods(), &failure.question, first)
             };
             make_folder("replays", folder)?;
-            let text =
-                |path: &Path| responses::scene_text(failure, seed, &shaking, &finding, &path.display().to_string());
+            let text = |path: &Path| responses::scene_text(failure, seed, &question, &finding, path);
             let path = write_numbered(folder, &format!("response-seed-{seed}{part}"), |path| Ok(text(path)))?;
+            if let Some(samples) = responses::samples_text(&question) {
+                write_new(&responses::samples_path(&path), &samples)?;
+            }
             note(format_args!("shrunk {}: {finding}\n  a scene that shows it: {}", failure.name, path.display()));
         }
         Ok(())

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use chattercheck::{
-    cases::shaking::Shaking,
+    cases::shaking::{Question, Shaking},
     gate::{
         judge::Judges,
         outcome::Outcomes,
@@ -122,8 +122,10 @@ impl Responder for Spoilt {
         self.inner.accuracy()
     }
 
-    fn respond(&self, shaking: &Shaking, rows: usize) -> Option<Whole> {
-        let mut whole = self.inner.respond(&(self.ask)(*shaking), rows)?;
+    /// Motions that are no sinusoids are asked and answered as they are.
+    fn respond(&self, question: &Question, rows: usize) -> Option<Whole> {
+        let Question::Sinusoid(shaking) = question else { return self.inner.respond(question, rows) };
+        let mut whole = self.inner.respond(&Question::Sinusoid((self.ask)(*shaking)), rows)?;
         (self.spoil)(&mut whole, shaking);
         Some(whole)
     }
@@ -156,14 +158,14 @@ fn spoilt(spoil: fn(&mut Whole, &Shaking)) -> Spoilt {
 }
 
 /// The responses in which mistakes are looked for.
-fn shakings() -> Vec<(String, Shaking)> {
-    responses::shakings(&responses::Selection { responses: 150, seed: 1 })
+fn questions() -> Vec<(String, Question)> {
+    responses::questions(&responses::Selection { responses: 225, seed: 1 })
 }
 
 /// Whether this is found of a method in one of them.
 fn found(responder: &dyn Responder, is: impl Fn(&Wrong) -> bool) -> bool {
-    shakings().iter().any(|(_, shaking)| {
-        let findings = responses::examine(&[responder], shaking).findings;
+    questions().iter().any(|(_, question)| {
+        let findings = responses::examine(&[responder], question).findings;
         assert!(findings.iter().all(|finding| finding.method == "mistaken"), "{findings:?}");
         findings.iter().any(|finding| is(&finding.wrong))
     })
@@ -185,9 +187,9 @@ fn anything(_: &Wrong) -> bool {
 #[test]
 fn the_method_without_a_mistake_is_green() {
     assert!(!found(&asked(same), anything));
-    let (report, failures) = responses::run(&[&asked(same)], &shakings(), &());
+    let (report, failures) = responses::run(&[&asked(same)], &questions(), &());
     assert!(report.verdict() == Verdict::Pass && failures.is_empty());
-    let (report, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &shakings(), &());
+    let (report, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &questions(), &());
     assert!(
         report.verdict() == Verdict::Fail
             && !failures.is_empty()
@@ -205,6 +207,7 @@ fn overturning_that_forgets_the_end_of_the_shaking_is_found() {
         until: f64::INFINITY,
     };
     let method = mistaken(Flaw::GroundNeverStops);
+    let quarter = Question::Sinusoid(quarter);
     let findings = responses::examine(&[&method], &quarter).findings;
     let false_overturning = |finding: &Finding| match &finding.wrong {
         Wrong::Differs(difference) => {
@@ -377,7 +380,7 @@ fn methods_that_agree_against_the_follower_are_said_to() {
     }
     let (one, two) = (other("one"), other("two"));
     let request = responses::Selection { responses: 20, seed: 1 };
-    let (_, failures) = responses::run(&[&one, &two], &responses::shakings(&request), &());
+    let (_, failures) = responses::run(&[&one, &two], &responses::questions(&request), &());
     assert!(!failures.is_empty());
     for finding in failures.iter().flat_map(|failure| &failure.findings) {
         assert_eq!(finding.agreeing, [if finding.method == "one" { "two" } else { "one" }]);
@@ -390,15 +393,16 @@ fn methods_that_agree_against_the_follower_are_said_to() {
 fn what_disagrees_is_shrunk_to_a_scene() {
     let method = asked(|shaking| Shaking { lasts: shaking.lasts.map(|lasts| 1.1 * lasts), ..shaking });
     let request = responses::Selection { responses: 40, seed: 1 };
-    let (_, failures) = responses::run(&[&method], &responses::shakings(&request), &());
+    let (_, failures) = responses::run(&[&method], &responses::questions(&request), &());
     let failure = &failures[0];
-    let (shaking, finding) = responses::shrink(&[&method], &failure.shaking, &failure.findings[0]);
+    let (question, finding) = responses::shrink(&[&method], &failure.question, &failure.findings[0]);
     assert!(finding.wrong.resembles(&failure.findings[0].wrong));
-    let again = responses::examine(&[&method], &shaking).findings;
+    let again = responses::examine(&[&method], &question).findings;
     assert!(again.contains(&finding), "{again:?}");
-    let digits = |shaking: &Shaking| format!("{shaking:?}").len();
-    assert!(digits(&shaking) + 30 < digits(&failure.shaking), "{shaking:?} from {:?}", failure.shaking);
-    let text = responses::scene_text(failure, 1, &shaking, &finding, "scene.toml");
+    let digits = |question: &Question| format!("{question:?}").len();
+    assert!(digits(&question) + 30 < digits(&failure.question), "{question:?} from {:?}", failure.question);
+    let text = responses::scene_text(failure, 1, &question, &finding, std::path::Path::new("scene.toml"));
+    let Question::Sinusoid(shaking) = question else { panic!("{question:?}") };
     let scene = Scene::parse(&text).unwrap();
     let asked = scene.response(Some(shaking.until).filter(|until| until.is_finite()), Termination::Exact).unwrap();
     assert_eq!(
@@ -419,9 +423,9 @@ fn a_wrong_response_is_in_every_report() {
     let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
     let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, &()), &panel::roles());
     assert!(green().passes());
-    let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], &());
+    let (all_well, _) = responses::run(&[&asked(same)], &questions()[..20], &());
     assert!(green().with_responses(Some(all_well)).passes());
-    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &shakings()[..20], &());
+    let (wrong, failures) = responses::run(&[&mistaken(Flaw::Late(1e-9))], &questions()[..20], &());
     let names: Vec<&str> = failures.iter().map(|failure| failure.name.as_str()).collect();
     let report = green().with_responses(Some(wrong));
     assert!(!report.passes() && !names.is_empty());

@@ -63,8 +63,9 @@ fn junit_with(xml: &str, element: &str) -> BTreeSet<String> {
 fn failed_response() -> responses::Failed {
     responses::Failed {
         name: "response/3".to_owned(),
-        a: 1.5,
-        omega: 2.0,
+        a: Some(1.5),
+        omega: Some(2.0),
+        motion: None,
         eta: 0.9,
         alpha: None,
         phase: None,
@@ -94,7 +95,7 @@ fn what_an_interruption_leaves_out_is_skipped() {
     assert!(!of_cases.left_out.is_empty() && of_cases.reach.cases + of_cases.left_out.len() == cases().len());
     assert_eq!(of_cases.verdict, Verdict::Undecided);
     let (of_responses, _) =
-        responses::run(&[], &responses::shakings(&responses::Selection { responses: 4, seed: 1 }), &after(0));
+        responses::run(&[], &responses::questions(&responses::Selection { responses: 4, seed: 1 }), &after(0));
     assert_eq!(of_responses.verdict(), Verdict::Undecided);
     let left_out: BTreeSet<String> =
         of_cases.left_out.iter().cloned().chain((1..=4).map(|n| format!("response/{n}"))).collect();

@@ -13,7 +13,7 @@ use contract::{Case, Model, Normalisation, Slenderness};
 use crate::effort::pick;
 
 fn run(responders: &[&dyn Responder], request: &Selection) -> (Report, Vec<responses::Failure>) {
-    responses::run(responders, &responses::shakings(request), &())
+    responses::run(responders, &responses::questions(request), &())
 }
 
 fn request(responses: usize) -> Selection {
@@ -36,7 +36,7 @@ impl Responder for Nobody {
         1e-13
     }
 
-    fn respond(&self, _: &chattercheck::cases::shaking::Shaking, _: usize) -> Option<Whole> {
+    fn respond(&self, _: &chattercheck::cases::shaking::Question, _: usize) -> Option<Whole> {
         None
     }
 }
@@ -69,13 +69,13 @@ fn random_responses_reach_every_regime() {
 /// The same seed gives the same responses, and the shares of a run are the run.
 #[test]
 fn the_shares_of_a_run_are_the_run() {
-    let all = responses::shakings(&request(50));
-    let costs: Vec<f64> = all.iter().map(|(_, shaking)| cost_of_response(shaking)).collect();
+    let all = responses::questions(&request(50));
+    let costs: Vec<f64> = all.iter().map(|(_, question)| cost_of_response(question)).collect();
     let share = |part| Partition { part, parts: 3 }.of(all.clone(), &costs);
     let mut shares: Vec<_> = (1..=3).flat_map(share).collect();
     shares.sort_by_key(|(name, _)| all.iter().position(|(other, _)| other == name));
     assert_eq!(all, shares);
-    assert_ne!(all[0].1, responses::shakings(&Selection { seed: 2, ..request(1) })[0].1);
+    assert_ne!(all[0].1, responses::questions(&Selection { seed: 2, ..request(1) })[0].1);
 }
 
 /// A method that has flights and is not verified would be trusted for nothing.

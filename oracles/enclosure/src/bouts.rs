@@ -51,6 +51,8 @@ pub struct Bouts<F> {
     pub is_whole: bool,
 }
 
+/// Later than any response ends.
+const FOREVER: f64 = 1e9;
 /// How many impacts of a bout are followed.
 const MOST_IMPACTS: usize = 50_000;
 
@@ -121,14 +123,13 @@ impl<F: Directed> Run<'_, F> {
     /// One bout, and its last impact.
     fn bout(&self, start: Moment<F>, side: Side, from: From<F>) -> (Bout<F>, Option<Moment<F>>) {
         let eta = self.asked.body.eta();
-        let until = self.asked.followed.until;
+        // A number that every format has, and far enough for all that a block does.
+        let until = Interval::exactly(self.asked.followed.until.min(FOREVER));
         let mut bout = Bout { begin: start.time.clone(), side, impacts: Vec::new(), end: BoutEnd::Unclear };
         let (mut moment, mut side, mut from) = (start, side, from);
         let mut rest: Option<Interval<F>> = None;
         for _ in 0..MOST_IMPACTS {
-            // An end that is far enough for all that a block does.
-            let horizon = Interval::exactly(until.min(1e9));
-            let takeoff = Takeoff { horizon: &horizon - &moment.time, moment: moment.clone(), side, from };
+            let takeoff = Takeoff { horizon: &until - &moment.time, moment: moment.clone(), side, from };
             let (interval, landing) = match self.motion.fly(&self.ground, takeoff) {
                 Outcome::Landing { interval, speed, moment: at } => {
                     moment = at;
@@ -152,7 +153,7 @@ impl<F: Directed> Run<'_, F> {
                 let listed = bout.impacts.len() >= self.asked.followed.most_impacts
                     || speed.upper.double_above() < slowest::<F>();
                 // Where the response ends before, it is followed to there.
-                let in_time = known.is_below(&Interval::exactly(until));
+                let in_time = known.is_below(&until);
                 if enough && listed && in_time {
                     return (Bout { end: BoutEnd::Rest(known), ..bout }, Some(moment));
                 }
@@ -162,7 +163,7 @@ impl<F: Directed> Run<'_, F> {
         }
         let end = match rest {
             // What is proven is true, if it is wider than was asked.
-            Some(rest) if rest.is_below(&Interval::exactly(until)) => BoutEnd::Rest(rest),
+            Some(rest) if rest.is_below(&until) => BoutEnd::Rest(rest),
             _ if self.motion.exhausted() => BoutEnd::Exhausted,
             _ => BoutEnd::Unclear,
         };

@@ -3,6 +3,7 @@
 
 mod edge;
 mod list;
+mod motions;
 mod random;
 mod responses;
 mod spaced;
@@ -15,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::case_file::CaseFields;
 
 pub use list::shipped;
+pub use motions::motions;
 pub use responses::shakings;
 
 /// The generators, in the order in which their cases run.

@@ -8,7 +8,7 @@ use std::{
 };
 
 use crate::{
-    cases::{generate::Named, shaking::Shaking},
+    cases::{generate::Named, shaking::Question},
     measure::critical,
 };
 
@@ -80,8 +80,8 @@ pub fn cost_of_case(named: &Named, is_judged: bool) -> f64 {
 const NO_ROCKING: f64 = 0.01;
 
 /// About how long a whole response takes, in multiples of a short one: it has ever more impacts where these take hardly anything away.
-pub fn cost_of_response(shaking: &Shaking) -> f64 {
-    1.0 + (0.02 / (1.0 - shaking.case.eta())).min(20.0)
+pub fn cost_of_response(question: &Question) -> f64 {
+    1.0 + (0.02 / (1.0 - question.eta())).min(20.0)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use super::{
     reference::Reference,
     whole::{Responder, Whole},
 };
-use crate::cases::shaking::Shaking;
+use crate::cases::shaking::Question;
 
 /// At how many times the table of a response is compared.
 const ROWS: usize = 48;
@@ -118,21 +118,21 @@ impl fmt::Display for Finding {
     }
 }
 
-/// The response to `shaking` by every method, examined.
-pub fn examine(responders: &[&dyn Responder], shaking: &Shaking) -> Examination {
+/// The response that `question` asks for by every method, examined.
+pub fn examine(responders: &[&dyn Responder], question: &Question) -> Examination {
     let mut examination = Examination::default();
     for model in [Model::Linear, Model::Nonlinear] {
         let of_model: Vec<&&dyn Responder> = responders.iter().filter(|responder| responder.model() == model).collect();
         if of_model.is_empty() {
             continue;
         }
-        let Some(reference) = Reference::new(shaking, model) else { continue };
-        examination.reach.extend(Example::of(shaking, &reference));
+        let Some(reference) = Reference::new(question, model) else { continue };
+        examination.reach.extend(Example::of(question, &reference));
         examination.too_close |= reference.until.is_finite();
         let mut findings = Vec::new();
-        for responder in of_model {
+        for responder in of_model.into_iter().filter(|responder| responder.is_asked(question)) {
             let name = responder.name().to_owned();
-            let Some(whole) = responder.respond(shaking, ROWS) else {
+            let Some(whole) = responder.respond(question, ROWS) else {
                 examination.asked.push((name, Compared::Declined));
                 continue;
             };

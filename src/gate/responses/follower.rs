@@ -2,9 +2,9 @@
 //! until the rotation changes its sign. It shares no code with what it checks, neither that of the flights nor that of the events between them.
 
 use super::{
-    ground::Problem,
     knot::Knot,
     landing::{self, Advance},
+    problem::Problem,
     whole::{Bout, BoutEnding, Impact},
 };
 
@@ -30,12 +30,17 @@ pub(super) struct Followed {
     tracks: Vec<Vec<Knot>>,
 }
 
-/// Follows the block from rest.
+/// Follows the block from rest, or from where it starts.
 pub(super) fn follow(problem: Problem) -> Followed {
-    let mut followed = Followed { problem, bouts: Vec::new(), falls: false, tracks: Vec::new() };
+    let mut followed = Followed { problem: problem.clone(), bouts: Vec::new(), falls: false, tracks: Vec::new() };
     let mut now = 0.0;
-    while let Some((begin, side)) = problem.next_start(now).filter(|(begin, _)| *begin < problem.until) {
-        let (bout, track) = Rocking::new(&problem, begin, side).follow();
+    let from_rest = |now: f64| {
+        let (time, side) = problem.next_start(now).filter(|(begin, _)| *begin < problem.until)?;
+        Some(Knot { time, side, state: (0.0, 0.0) })
+    };
+    let mut first = moving(problem.start);
+    while let Some(knot) = first.take().or_else(|| from_rest(now)) {
+        let (bout, track) = Rocking::new(&problem, knot).follow();
         now = bout.end;
         followed.falls = bout.outcome == BoutEnding::Cut && track.last().is_some_and(|last| falls(&problem, *last));
         let rests = bout.outcome == BoutEnding::Rest;
@@ -46,6 +51,13 @@ pub(super) fn follow(problem: Problem) -> Followed {
         }
     }
     followed
+}
+
+/// The knot of a block that does not start from rest: to the side that it is on, or moves to.
+fn moving((rotation, velocity): (f64, f64)) -> Option<Knot> {
+    let side = if rotation == 0.0 { velocity } else { rotation }.signum();
+    let moves = rotation != 0.0 || velocity != 0.0;
+    moves.then_some(Knot { time: 0.0, side, state: (side * rotation, side * velocity) })
 }
 
 impl Followed {
@@ -60,7 +72,7 @@ impl Followed {
         let Some(knot) = after.checked_sub(1).and_then(|last| track.get(last)) else { return (0.0, 0.0) };
         let (mut time_left, mut knot) = (time - knot.time, *knot);
         while time_left > 0.0 && knot.state.0.is_finite() {
-            let h = time_left.min(self.problem.longest_step()).min(until_change(&self.problem, knot.time));
+            let h = time_left.min(self.problem.longest_step()).min(self.problem.until_change(knot.time));
             knot = knot.advanced(&self.problem, h);
             time_left -= h;
         }
@@ -74,17 +86,12 @@ fn falls(problem: &Problem, mut knot: Knot) -> bool {
         if problem.is_lost(knot.time, knot.state.0, knot.state.1) {
             return true;
         }
-        match landing::advance(problem, &knot, until_change(problem, knot.time), f64::INFINITY) {
+        match landing::advance(problem, &knot, problem.until_change(knot.time), f64::INFINITY) {
             Advance::Aloft { knot: next, .. } => knot = next,
             Advance::Landed { .. } => return false,
         }
     }
     false
-}
-
-/// The step that does not pass the moment at which the ground comes to rest.
-fn until_change(problem: &Problem, time: f64) -> f64 {
-    if time < problem.lasts { problem.lasts - time } else { f64::INFINITY }
 }
 
 /// A bout in the making.
@@ -105,17 +112,16 @@ struct Rocking<'a> {
 }
 
 impl<'a> Rocking<'a> {
-    fn new(problem: &'a Problem, begin: f64, side: f64) -> Self {
-        let knot = Knot { time: begin, side, state: (0.0, 0.0) };
+    fn new(problem: &'a Problem, knot: Knot) -> Self {
         Self {
             problem,
-            begin,
-            side,
+            begin: knot.time,
+            side: knot.side,
             knot,
             track: Vec::new(),
             impacts: Vec::new(),
             intervals: [None; 2],
-            since: begin,
+            since: knot.time,
             peak: 0.0,
             peak_of_flight: 0.0,
         }
@@ -133,14 +139,14 @@ impl<'a> Rocking<'a> {
                 let now = self.knot.time;
                 return self.ended(BoutEnding::Overturned, now, 0.0);
             }
-            let limit = (self.problem.until - self.knot.time).min(until_change(self.problem, self.knot.time));
+            let limit = (self.problem.until - self.knot.time).min(self.problem.until_change(self.knot.time));
             let advance = landing::advance(self.problem, &self.knot, limit, self.peak.max(self.peak_of_flight));
             if let Some(peak) = advance.peak() {
                 self.peak_of_flight = self.peak_of_flight.max(peak);
             }
             match advance {
                 Advance::Aloft { knot, .. } => {
-                    if self.knot.time < self.problem.lasts && knot.time >= self.problem.lasts {
+                    if knot.time >= self.problem.change(self.knot.time) {
                         self.intervals = [None; 2];
                         self.since = f64::NAN;
                     }
@@ -177,7 +183,7 @@ impl<'a> Rocking<'a> {
             // How the flights change, relative: on still ground by the square of their length; while it shakes by the time that they take beside that
             // in which what holds the block down does.
             let change = if time < problem.lasts {
-                (one + two + left) * (1.0 + problem.omega * problem.amplitude(time)) / held
+                (one + two + left) * (1.0 + problem.slope(time)) / held
             } else {
                 (one + two) * (one + two)
             };

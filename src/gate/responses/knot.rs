@@ -1,6 +1,6 @@
 //! The state at the start of a step, and what becomes of it.
 
-use super::{ground::Problem, stepping::step};
+use super::{problem::Problem, stepping::step};
 
 /// The state at the start of a step: the sign of the rotation, and how far and how fast away from the base.
 #[derive(Debug, Clone, Copy)]
@@ -13,14 +13,16 @@ pub(super) struct Knot {
 impl Knot {
     /// How fast the rotation away from the base accelerates, `s` later, with the ground as it is now.
     pub fn acceleration(&self, problem: &Problem, s: f64, u: f64) -> f64 {
-        let ground = if self.time < problem.lasts { problem.shaken(self.time + s) } else { 0.0 };
+        let ground = problem.ground_after(self.time, s);
         self.side * problem.acceleration(self.side, ground, self.side * u)
     }
 
     /// The state `h` later.
     pub fn advanced(&self, problem: &Problem, h: f64) -> Self {
         let state = step(|s, u| self.acceleration(problem, s, u), self.state, h);
-        let passes = self.time < problem.lasts && h >= problem.lasts - self.time;
-        Self { time: if passes { problem.lasts } else { self.time + h }, state, ..*self }
+        // A change is met exactly.
+        let left = problem.until_change(self.time);
+        let time = if h >= left { problem.change(self.time) } else { self.time + h };
+        Self { time, state, ..*self }
     }
 }

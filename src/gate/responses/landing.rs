@@ -1,6 +1,6 @@
 //! One step of a flight, so short that the block can't land and leave again unseen within it; and where it lands.
 
-use super::{ground::Problem, knot::Knot};
+use super::{knot::Knot, problem::Problem};
 
 /// Newton's method, held in a bracket, needs a handful.
 const MOST_ITERATIONS: usize = 100;
@@ -55,7 +55,7 @@ fn length(problem: &Problem, from: &Knot) -> (f64, f64) {
     let longest = problem.longest_step();
     let towards = -from.acceleration(problem, 0.0, u);
     if towards <= 0.0 || (u == 0.0 && w == 0.0) {
-        return (longest, longest);
+        return (longest, problem.step_of_push(from.time));
     }
     let lands = (w + (w * w + 2.0 * towards * u).sqrt()) / towards;
     let step = if w > 0.0 { (w / towards).max(0.3 * lands) } else { 1.2 * lands };

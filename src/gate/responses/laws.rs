@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    ground::Problem,
+    problem::Problem,
     whole::{BoutEnding, Row, State, Whole},
 };
 
@@ -112,13 +112,14 @@ fn end(whole: &Whole, problem: &Problem) -> Option<(Law, f64)> {
 }
 
 fn threshold(whole: &Whole, problem: &Problem) -> Option<(Law, f64)> {
-    let slack = NEAR * (1.0 + problem.omega) * (1.0 + problem.amplitude(0.0));
+    let slack = NEAR * (1.0 + problem.amplitude(0.0) + problem.slope(0.0));
     let during = whole
         .rests
         .iter()
         .flat_map(|(from, to)| (1..LOOKS).map(move |look| from + (to - from) * f64::from(look) / f64::from(LOOKS)));
     let too_long = during.filter(|time| problem.ground(*time).abs() > 1.0 + slack);
-    let begins = whole.bouts.iter().map(|bout| bout.begin);
+    // A block that moves at first rocks without being pushed.
+    let begins = whole.bouts.iter().map(|bout| bout.begin).skip(usize::from(problem.start != (0.0, 0.0)));
     let too_early = begins.filter(|begin| problem.ground(*begin).abs() < 1.0 - slack);
     too_long.chain(too_early).next().map(|time| (Law::Threshold, time))
 }
@@ -149,8 +150,10 @@ fn rows(whole: &Whole, problem: &Problem) -> Option<(Law, f64)> {
 }
 
 fn row_breaks(row: &Row, problem: &Problem) -> Option<Law> {
-    let slack = NEAR * (1.0 + problem.omega * row.time) * (1.0 + problem.amplitude(0.0));
-    let at_the_end = (row.time - problem.lasts).abs() <= NEAR;
+    let slack = NEAR * (1.0 + problem.amplitude(0.0) + problem.slope(0.0)) * (1.0 + row.time);
+    // Where the ground jumps, or comes to rest, it is a matter of rounding on which side of that a row is.
+    let is_near = |change: f64| (row.time - change).abs() <= NEAR;
+    let at_the_end = is_near(problem.lasts) || is_near(problem.change(row.time - 2.0 * NEAR));
     let right = (row.ground - problem.ground(row.time)).abs() <= slack;
     if !right && !at_the_end {
         return Some(Law::Ground);

@@ -7,6 +7,7 @@
 //! The gate knows methods as [`Responder`]s only; they are handed in.
 
 mod compare;
+mod described;
 mod examine;
 mod failure;
 mod follower;
@@ -14,6 +15,7 @@ mod ground;
 mod knot;
 mod landing;
 mod laws;
+mod problem;
 mod reach;
 mod reference;
 mod report;
@@ -31,8 +33,8 @@ pub use failure::Failure;
 pub use laws::Law;
 pub use reach::Example;
 pub use report::{Failed, Report, exercised, failures_text, methods_text};
-pub use run::{Selection, run, shakings, timed};
-pub use scene::scene_text;
+pub use run::{Selection, questions, run, timed};
+pub use scene::{samples_path, samples_text, scene_text};
 pub use shortfall::Shortfall;
 pub use shrink::shrink;
 pub use tally::{MethodCounts, Tally};

@@ -6,10 +6,10 @@ use contract::Model;
 
 use super::{
     follower::{Followed, follow},
-    ground::Problem,
+    problem::Problem,
     whole::{Bout, BoutEnding},
 };
-use crate::cases::shaking::Shaking;
+use crate::cases::shaking::Question;
 
 /// By how much the numbers of a problem are moved, relative.
 const MOVED: f64 = 1e-8;
@@ -39,11 +39,11 @@ pub(super) struct Known {
 }
 
 impl Reference {
-    /// The reference for `shaking` under the equation of `model`; `None` where that lacks a slenderness.
-    pub fn new(shaking: &Shaking, model: Model) -> Option<Self> {
-        let problem = Problem::new(shaking, model)?;
+    /// The reference for `question` under the equation of `model`; `None` where that lacks a slenderness.
+    pub fn new(question: &Question, model: Model) -> Option<Self> {
+        let problem = Problem::new(question, model)?;
+        let moved = [MOVED, -MOVED].map(|by| follow(problem.moved(by)));
         let nominal = follow(problem);
-        let moved = [MOVED, -MOVED].map(|by| follow(problem.moved(by, shaking.phase.is_none())));
         let mut reference = Self { nominal, moved, known: Vec::new(), until: f64::INFINITY };
         let mut spread = Spread::default();
         for (k, bout) in reference.nominal.bouts.iter().enumerate() {

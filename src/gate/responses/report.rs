@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    described::described,
     examine::Finding,
     failure::Failure,
     reach::Example,
@@ -12,7 +13,7 @@ use super::{
     tally::{MethodCounts, Tally},
 };
 use crate::{
-    cases::shaking::Shaking,
+    cases::shaking::Question,
     gate::{failure::likewise, shortfall::NotJudged, verdict::Verdict},
 };
 
@@ -36,10 +37,15 @@ pub struct Report {
 pub struct Failed {
     /// Its name.
     pub name: String,
-    /// `a`.
-    pub a: f64,
-    /// `ω`.
-    pub omega: f64,
+    /// `a`, of a sinusoid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub a: Option<f64>,
+    /// `ω`, of a sinusoid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub omega: Option<f64>,
+    /// What another motion is, in a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<String>,
     /// `η`.
     pub eta: f64,
     /// `α`, where it has one.
@@ -70,7 +76,11 @@ impl Report {
 
     /// In the order of the run, and concluded from all of it.
     pub(in crate::gate) fn in_order(mut self) -> Self {
-        let number = |name: &str| name.rsplit('/').next().and_then(|number| number.parse().ok()).unwrap_or(usize::MAX);
+        // Those on sinusoids come first.
+        let number = |name: &str| {
+            let number = name.rsplit('/').next().and_then(|number| number.parse().ok()).unwrap_or(usize::MAX);
+            (!name.starts_with("response/"), number)
+        };
         self.tally.names.sort_by_key(|name| number(name));
         self.tally.left_out.sort_by_key(|name| number(name));
         self.failures.sort_by_key(|failed| number(&failed.name));
@@ -86,16 +96,21 @@ impl Report {
 
 impl From<&Failure> for Failed {
     fn from(failure: &Failure) -> Self {
-        let Shaking { case, phase, lasts, until } = failure.shaking;
+        let question = &failure.question;
+        let (sine, motion) = match question {
+            Question::Sinusoid(shaking) => (Some(shaking), None),
+            Question::Motion(asked) => (None, Some(described(asked))),
+        };
         Self {
             name: failure.name.clone(),
-            a: case.amplitude(),
-            omega: case.omega(),
-            eta: case.eta(),
-            alpha: case.slenderness().map(|slenderness| slenderness.alpha()),
-            phase,
-            lasts,
-            until: Some(until).filter(|until| until.is_finite()),
+            a: sine.map(|sine| sine.case.amplitude()),
+            omega: sine.map(|sine| sine.case.omega()),
+            motion,
+            eta: question.eta(),
+            alpha: question.alpha(),
+            phase: sine.and_then(|sine| sine.phase),
+            lasts: Some(question.lasts()).filter(|lasts| lasts.is_finite()),
+            until: Some(question.until()).filter(|until| until.is_finite()),
             findings: failure.findings.clone(),
         }
     }
@@ -179,13 +194,16 @@ pub fn methods_text(report: &Report) -> String {
 impl Failed {
     /// For people, over several lines.
     pub fn text(&self) -> String {
-        let Self { name, a, omega, eta, alpha, phase, lasts, until, findings } = self;
-        let mut text = format!("FAILED {name}: a = {a:?}, omega = {omega:?}, eta = {eta:?}");
+        let Self { name, a, omega, motion, eta, alpha, phase, lasts, until, findings } = self;
+        let mut text = format!("FAILED {name}: eta = {eta:?}");
+        motion.iter().for_each(|motion| text += &format!(", {motion}"));
         let mut optional = |name: &str, value: &Option<f64>| {
             if let Some(value) = value {
                 let _ = write!(text, ", {name} = {value:?}");
             }
         };
+        optional("a", a);
+        optional("omega", omega);
         optional("alpha", alpha);
         optional("phase", phase);
         optional("the shaking lasts", lasts);

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::{examine::examine, failure::Failure, report::Report, tally::Tally, whole::Responder};
 use crate::{
-    cases::{generate, shaking::Shaking},
+    cases::{generate, shaking::Question},
     gate::progress::Progress,
 };
 
@@ -21,48 +21,52 @@ pub struct Selection {
 
 impl Selection {
     /// How many responses a run has unless told otherwise.
-    pub const DEFAULT: usize = 200;
+    pub const DEFAULT: usize = 300;
     /// How many it may be asked for.
     pub const MOST: usize = 1_000_000;
 }
 
-/// The responses of a run, by name and in order.
-pub fn shakings(request: &Selection) -> Vec<(String, Shaking)> {
-    let all = (1..).zip(generate::shakings(request.seed, request.responses));
-    all.map(|(number, shaking)| (format!("response/{number}"), shaking)).collect()
+/// The responses of a run, by name and in order: two of three on sinusoids, the others on any motion.
+pub fn questions(request: &Selection) -> Vec<(String, Question)> {
+    let motions = request.responses / 3;
+    let shakings = generate::shakings(request.seed, request.responses - motions);
+    let shakings =
+        (1..).zip(shakings).map(|(number, shaking)| (format!("response/{number}"), Question::Sinusoid(shaking)));
+    let motions = (1..).zip(generate::motions(request.seed, motions));
+    shakings.chain(motions.map(|(number, motion)| (format!("motion/{number}"), Question::Motion(motion)))).collect()
 }
 
 /// Runs them through all methods.
 pub fn run(
     responders: &[&dyn Responder],
-    shakings: &[(String, Shaking)],
+    questions: &[(String, Question)],
     progress: &impl Progress,
 ) -> (Report, Vec<Failure>) {
-    let (report, failures, _) = timed(responders, shakings, progress);
+    let (report, failures, _) = timed(responders, questions, progress);
     (report, failures)
 }
 
 /// The same, and how many seconds each of those that were run took.
 pub fn timed(
     responders: &[&dyn Responder],
-    shakings: &[(String, Shaking)],
+    questions: &[(String, Question)],
     progress: &impl Progress,
 ) -> (Report, Vec<Failure>, Vec<f64>) {
-    let examinations: Vec<_> = shakings
+    let examinations: Vec<_> = questions
         .par_iter()
-        .map(|(_, shaking)| {
+        .map(|(_, question)| {
             if progress.is_interrupted() {
                 return None;
             }
             let start = Instant::now();
-            let examination = examine(responders, shaking);
+            let examination = examine(responders, question);
             progress.done(!examination.findings.is_empty());
             Some((examination, start.elapsed().as_secs_f64()))
         })
         .collect();
     let mut tally = Tally::default();
     let (mut failures, mut seconds) = (Vec::new(), Vec::new());
-    for ((name, shaking), examination) in shakings.iter().zip(examinations) {
+    for ((name, question), examination) in questions.iter().zip(examinations) {
         let Some((examination, took)) = examination else {
             tally.left_out.push(name.clone());
             continue;
@@ -70,7 +74,7 @@ pub fn timed(
         seconds.push(took);
         tally.add(name, &examination);
         if !examination.findings.is_empty() {
-            failures.push(Failure { name: name.clone(), shaking: *shaking, findings: examination.findings });
+            failures.push(Failure { name: name.clone(), question: question.clone(), findings: examination.findings });
         }
     }
     (Report::new(tally, &failures), failures, seconds)

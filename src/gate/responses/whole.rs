@@ -3,7 +3,7 @@
 use contract::Model;
 use serde::{Deserialize, Serialize};
 
-use crate::cases::shaking::Shaking;
+use crate::cases::shaking::Question;
 
 /// A method that follows whole responses.
 pub trait Responder: Sync {
@@ -16,11 +16,16 @@ pub trait Responder: Sync {
     /// What its flights are worth: as wrong as one whose parameters are off by this much, relative.
     fn accuracy(&self) -> f64;
 
+    /// Whether this is a question for it; otherwise it is not asked, and declines nothing.
+    fn is_asked(&self, _question: &Question) -> bool {
+        true
+    }
+
     /// The response, with its rows at about `rows` times where the method gives any; `None` where it declines.
-    fn respond(&self, shaking: &Shaking, rows: usize) -> Option<Whole>;
+    fn respond(&self, question: &Question, rows: usize) -> Option<Whole>;
 }
 
-/// What happens to a block, from rest at `τ = 0`. All times are `τ`.
+/// What happens to a block from `τ = 0` on. All times are `τ`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Whole {
     /// When it rocks.

@@ -1,11 +1,13 @@
-//! The methods that follow whole responses, as the gate asks them: [`motion::response`](crate::motion::response) by the flights of one oracle each.
+//! Whole responses by the flights of one oracle each: [`motion::response`](crate::motion::response).
 
-use contract::{Arrival, Case, Decline, FlightSolver, Model, Normalisation, Oracle, Slenderness};
+use std::sync::Arc;
+
+use contract::{Arrival, Body, Case, Decline, FlightSolver, Model, Motion, Normalisation, Oracle, Slenderness};
 
 use crate::{
-    cases::shaking::Shaking,
+    cases::shaking::{AnyMotion, Question, Shaking},
     gate::responses::{Bout, BoutEnding, Impact, Responder, Row, State, Whole},
-    motion::response::{self, BoutEnd, Request, Response, Window},
+    motion::response::{self, BoutEnd, OnMotion, Request, Response, Termination, Window},
     panel::{self, Follows, Settings},
 };
 
@@ -24,25 +26,31 @@ pub struct Stepped {
     pub accuracy: f64,
     /// Whether its table is looked at as well, and how high it rocks.
     pub table: bool,
+    /// Whether it is asked for wavelets.
+    pub wavelets: bool,
 }
 
-/// Every method that follows whole responses, as the panel says.
+/// Every method that follows whole responses flight by flight, as the panel says.
 pub fn all() -> Vec<Stepped> {
     let of = |follows: &Follows| {
-        let Follows { oracle: name, model, accuracy, table } = *follows;
+        let Follows { oracle: name, model, accuracy, table, wavelets } = *follows;
         let oracle = panel::one(name, &Settings::default(), "linear").ok()?;
         let slender = model != oracle.model();
         let name = if slender { format!("{name}/slender") } else { name.to_owned() };
-        Some(Stepped { oracle, name, model, accuracy, table })
+        Some(Stepped { oracle, name, model, accuracy, table, wavelets })
     };
     panel::methods().flat_map(|method| method.responses).filter_map(of).collect()
 }
 
 impl Stepped {
+    /// Whether a method for Eq. 2 is held against those for Eq. 4.
+    fn is_slender(&self) -> bool {
+        self.model == Model::Linear && self.oracle.model() == Model::Nonlinear
+    }
+
     /// The case as the oracle is asked it.
     fn case(&self, shaking: &Shaking) -> Option<Case> {
-        let slender = self.model == Model::Linear && self.oracle.model() == Model::Nonlinear;
-        if !slender {
+        if !self.is_slender() {
             return Some(shaking.case);
         }
         Some(shaking.case.with_slenderness(Slenderness::new(SLENDER, Normalisation::Threshold).ok()?))
@@ -56,6 +64,32 @@ impl Stepped {
         let rows = if self.table && response.end > 0.0 {
             let window = Window { from: 0.0, to: response.end, steps: rows };
             response.samples(oracle, request, &window)?.iter().map(row).collect()
+        } else {
+            Vec::new()
+        };
+        Ok(Whole { bouts, rests: response.rests(), end: response.end, rows })
+    }
+
+    fn whole_on_motion(&self, asked: &AnyMotion, rows: usize) -> Result<Whole, Decline> {
+        let oracle = self.oracle.as_ref();
+        // Without a slenderness a method for Eq. 2 follows Eq. 4.
+        let alpha = asked.body.alpha().filter(|_| self.model == Model::Nonlinear);
+        let body = Body::new(asked.body.eta(), alpha).unwrap_or(asked.body);
+        let request = OnMotion {
+            body,
+            motion: Arc::clone(&asked.motion),
+            rounding: 0.0,
+            start: asked.start,
+            until: asked.until,
+            lies_at: asked.body.alpha().map(|alpha| std::f64::consts::FRAC_PI_2 / alpha),
+            termination: Termination::Exact,
+            most_impacts: Request::MOST_IMPACTS,
+        };
+        let response = Response::on_motion(oracle, &request)?;
+        let bouts = response.bouts.iter().map(|of| bout(of, None)).collect();
+        let rows = if self.table && response.end > 0.0 {
+            let window = Window { from: 0.0, to: response.end, steps: rows };
+            response.samples_on_motion(oracle, &request, &window)?.iter().map(row).collect()
         } else {
             Vec::new()
         };
@@ -76,10 +110,22 @@ impl Responder for Stepped {
         self.accuracy
     }
 
-    fn respond(&self, shaking: &Shaking, rows: usize) -> Option<Whole> {
-        let Shaking { phase, lasts, until, .. } = *shaking;
-        let asked = Request::new(shaking.case, lasts, until).ok()?;
-        self.whole(&Request { phase, case: self.case(shaking)?, ..asked }, rows).ok()
+    fn is_asked(&self, question: &Question) -> bool {
+        match question {
+            Question::Sinusoid(_) => true,
+            Question::Motion(asked) => self.wavelets || !matches!(*asked.motion, Motion::Ricker(_)),
+        }
+    }
+
+    fn respond(&self, question: &Question, rows: usize) -> Option<Whole> {
+        match question {
+            Question::Sinusoid(shaking) => {
+                let Shaking { phase, lasts, until, .. } = *shaking;
+                let asked = Request::new(shaking.case, lasts, until).ok()?;
+                self.whole(&Request { phase, case: self.case(shaking)?, ..asked }, rows).ok()
+            }
+            Question::Motion(asked) => self.whole_on_motion(asked, rows).ok(),
+        }
     }
 }
 
