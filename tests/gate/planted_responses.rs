@@ -132,7 +132,7 @@ impl Responder for Spoilt {
 }
 
 fn stepped(oracle: Box<dyn Oracle>) -> Stepped {
-    Stepped { oracle, name: "mistaken".to_owned(), model: Model::Linear, accuracy: 1e-13, table: true }
+    Stepped { oracle, name: "mistaken".to_owned(), model: Model::Linear, accuracy: 1e-13, table: true, wavelets: true }
 }
 
 fn closed_form() -> Box<dyn Oracle> {
