@@ -10,6 +10,8 @@ use crate::{
 
 /// The first impacts of each bout are enough: what is wrong with later ones shows in when it rests.
 const IMPACTS: usize = 40;
+/// Above this restitution it would follow too many impacts to the proof.
+const MOST_ETA: f64 = 0.97;
 /// Proven bounds are narrower than the rounding of their middles.
 const ACCURACY: f64 = 1e-15;
 
@@ -37,13 +39,17 @@ impl Responder for Proven {
     }
 
     fn is_asked(&self, question: &Question) -> bool {
-        matches!(question, Question::Motion(_))
+        matches!(question, Question::Motion(asked) if asked.body.eta() <= MOST_ETA)
     }
 
     fn respond(&self, question: &Question, _: usize) -> Option<Whole> {
         let Question::Motion(AnyMotion { body, motion, start, until }) = question else { return None };
         let asked = Followed { start: *start, until: *until, most_impacts: IMPACTS };
         let bouts = self.oracle.bouts_on(body, motion, &asked).ok()?;
+        // What is undecided with the digits that it tries is no answer.
+        if bouts.iter().any(|bout| bout.end == BoutEnd::Undecided) {
+            return None;
+        }
         let bouts: Vec<Bout> = bouts.iter().map(|found| bout(found, body.eta(), *until)).collect();
         let last = bouts.last();
         let now = last.map_or(0.0, |bout| bout.end);
