@@ -23,6 +23,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     // arithmetic with the digits of two doubles
     ("asymptotic", &["contract", "twofloat"]),
     ("taylor", &["contract"]),
+    ("accumulation", &["contract"]),
     // arithmetic with many digits, rounded in the direction asked for; another library than that of `printed`
     ("enclosure", &["contract", "dashu-float", "dashu-int"]),
     // an engine of somebody else: the lines of the protocol, pipes that don't block, groups of processes; no method at all

@@ -6,6 +6,7 @@
 //! - A **flight** is the smooth motion between two impacts; flight `n` starts at impact `n` and has the sign `i_n = ±1`.
 //! - An **interval** is the duration of a flight, `Δτ_n = τ_{n+1} - τ_n`.
 //! - A **history** is the list of impacts in order, and why it ended.
+//! - The **closure** of a sequence is the sum of the infinitely many intervals that follow one impact, and a method that tells it without following them.
 //! - A **decline** is an oracle's refusal of a case that it cannot do; it is counted, and it is not a failure.
 //!
 //! The harness uses these, and with one meaning each:
@@ -26,6 +27,7 @@
 extern crate alloc;
 
 mod case;
+mod closure;
 pub mod conformance;
 mod flight;
 mod ground;
@@ -34,6 +36,7 @@ mod invalid;
 mod oracle;
 
 pub use case::{Case, Horizon, Normalisation, Slenderness};
+pub use closure::Closure;
 pub use flight::{Arrival, Departure, FlightSolver, Ground};
 pub use ground::{Body, Motion, RICKER_ANTISYMMETRIC_PEAK, Record, Ricker, Sinusoid, Stretch};
 pub use history::{Ending, Estimate, History, Impact, Limit, Loss, Sensitivity, SlendernessShift, Uncertainty};

@@ -1,7 +1,7 @@
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Body, Case, FlightSolver, History, Motion, Sensitivity, SlendernessShift};
+use crate::{Body, Case, Closure, FlightSolver, History, Motion, Sensitivity, SlendernessShift};
 
 /// One method that turns a case into an impact history.
 ///
@@ -52,6 +52,14 @@ pub trait Oracle: Send + Sync {
     /// A [`Decline`] from a method that only does the sinusoid of a case, or cannot do this motion.
     fn flights_on(&self, _body: &Body, _motion: &Motion) -> Result<Box<dyn FlightSolver>, Decline> {
         Err(Decline::Unsupported { what: "motions of the ground that are no case" })
+    }
+
+    /// What closes a sequence of this block on ground that moves so, from any one impact.
+    ///
+    /// # Errors
+    /// A [`Decline`] from a method that follows the impacts instead, or cannot do this motion.
+    fn closure_on(&self, _body: &Body, _motion: &Motion) -> Result<Box<dyn Closure>, Decline> {
+        Err(Decline::Unsupported { what: "closing a sequence from one impact" })
     }
 }
 
