@@ -8,6 +8,7 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
+use accumulation::Accumulation;
 use asymptotic::{Asymptotic, Order};
 use closed_form::ClosedForm;
 use contract::{Case, Decline, History, Invalid, Model, Oracle};
@@ -16,7 +17,10 @@ use ode::{Equation, Flights, Ode};
 use printed::Printed;
 use taylor::Taylor;
 
-use crate::{gate::roles::Roles, motion::linearisation::Corrected};
+use crate::{
+    gate::roles::Roles,
+    motion::{closed::Closed, linearisation::Corrected},
+};
 
 pub use lookup::{
     all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, stepper_on,
@@ -105,7 +109,7 @@ const NONLINEAR: &[Model] = &[Model::Nonlinear];
 const BOTH: &[Model] = &[Model::Linear, Model::Nonlinear];
 
 /// The table. Where no method is named, the first one that uses everything that was given is asked.
-const TABLE: [Method; 7] = [
+const TABLE: [Method; 8] = [
     Method {
         name: "closed-form",
         models: LINEAR,
@@ -197,6 +201,18 @@ const TABLE: [Method; 7] = [
         make: |_, _| Ok(Box::new(Printed::default())),
     },
     Method {
+        name: "accumulation",
+        models: BOTH,
+        in_name: &[Setting::Model],
+        beside: &[Setting::Order],
+        by_default: &[],
+        by_name: &["accumulation/linear", "accumulation/nonlinear"],
+        may_decline: MOST,
+        roles: &[Role::OwnSum],
+        responses: &[],
+        make: |settings, model| Ok(Box::new(Closed::new(stepper_of(model), Box::new(accumulation(settings)?)))),
+    },
+    Method {
         name: "closed-form/corrected",
         models: NONLINEAR,
         in_name: &[],
@@ -210,6 +226,11 @@ const TABLE: [Method; 7] = [
     },
 ];
 
+/// What closes a sequence from any one of its impacts.
+pub fn closing() -> Box<dyn Oracle> {
+    Box::new(Accumulation::default())
+}
+
 /// The oracle that steps fastest on the linear equation and to nearly all digits.
 pub fn stepper() -> Box<dyn Oracle> {
     stepper_of(Model::Linear)
@@ -220,6 +241,12 @@ pub fn stepper_of(model: Model) -> Box<dyn Oracle> {
     let stepper = with_role(Role::Stepper).into_iter().find(|oracle| oracle.model() == model);
     // The table has one for each equation: a test holds it to that.
     stepper.unwrap_or_else(|| Box::new(ClosedForm))
+}
+
+fn accumulation(settings: &Settings) -> Result<Accumulation, Invalid> {
+    let Some(order) = settings.order else { return Ok(Accumulation::default()) };
+    let terms = order.parse().map_err(|_| Invalid::new("order", order, "1 to 16 for accumulation"))?;
+    Accumulation::default().with_order(terms)
 }
 
 fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {

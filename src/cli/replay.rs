@@ -60,8 +60,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         .with_context(|| format!("{path}; an engine is found by --engines FILE, the manifest that it is in"))?;
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let panel = engines.beside(&panel);
-    let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let (judges, closing) = (panel::judges(), panel::closing());
+    let closing = engines.fleet.engines.is_empty().then_some(closing.as_ref());
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing };
     let cases = [Named::parse(&replay.found_in, case)];
     let run = run::run(&panel, &judges, &cases, replay.seed, None, &());
     let described = engines.fleet.engines.iter().map(Started::described).collect();

@@ -87,8 +87,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let partition = Partition::parse(&arguments.partition)?;
     let every = every(&arguments.judge)?;
-    let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
+    let (judges, closing) = (panel::judges(), panel::closing());
+    // Simulators of others are told by the judge what is wrong with them.
+    let closing = engines.is_empty().then_some(closing.as_ref());
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every, closing };
     if arguments.list {
         return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition));
     }

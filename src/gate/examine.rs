@@ -12,6 +12,7 @@ use crate::{
         finding::Finding,
         judge::{Judgement, Judges},
         laws::{self, Breach, Checked, Law},
+        time_left,
     },
     measure::{
         asking::{Answer, Reply, ask},
@@ -59,6 +60,9 @@ pub fn examine(panel: &[&dyn Oracle], case: &Case) -> Examination {
 /// Asks every oracle of the panel, compares, and judges if that is `asked` for or something is wrong.
 pub fn examine_and_judge(panel: &[&dyn Oracle], judges: &Judges, case: &Case, asked: bool) -> Examination {
     let mut examination = examine(panel, case);
+    if let Some(closing) = judges.closing {
+        time_left::check(closing, case, &examination.answers, &mut examination.checked);
+    }
     let is_wrong = || examination.findings().iter().any(|finding| !finding.is_breakdown());
     if asked || is_wrong() {
         examination.judgements = judges.judge(case, &examination.answers, |_| true);
@@ -87,7 +91,7 @@ pub fn examine_answers(
             Reply::Declined(_) | Reply::Broke(_) => Checked::default(),
             Reply::Panicked(message) => {
                 let how = format!("panicked: {message}");
-                Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ratio: None }
+                Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ..Checked::default() }
             }
         })
         .collect();

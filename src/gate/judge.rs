@@ -26,6 +26,8 @@ pub struct Judges<'a> {
     pub oracles: Vec<&'a dyn Oracle>,
     /// Every so many cases of a run one is judged; every listed case, the user's own too, and every one in which something is wrong, is judged anyway.
     pub every: usize,
+    /// What closes a sequence from any one impact: it is held against every answer that ends with rest.
+    pub closing: Option<&'a dyn Oracle>,
 }
 
 /// What the judge says of one answer.

@@ -34,11 +34,13 @@ pub enum Law {
     RestStays,
     /// What an oracle calls overturned does not land again for another that follows it further. Tried where the oracles' endings differ.
     OverturnedStays,
+    /// What is left after any one impact is what its local series says.
+    TimeLeft,
 }
 
 impl Law {
     /// Every law, in the order in which they are tried.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Answers,
         Self::NotLost,
         Self::Form,
@@ -47,6 +49,7 @@ impl Law {
         Self::IntervalRatio,
         Self::RestStays,
         Self::OverturnedStays,
+        Self::TimeLeft,
     ];
 
     /// What it says, for reports.
@@ -60,6 +63,7 @@ impl Law {
             Self::IntervalRatio => "interval ratios tend to eta^2 at the known rate (Eq. 73)",
             Self::RestStays => "rest stays rest when more impacts are asked for",
             Self::OverturnedStays => "what is overturned does not land again",
+            Self::TimeLeft => "what is left after an impact is what the local series says",
         }
     }
 }
@@ -82,12 +86,14 @@ pub struct Checked {
     pub breach: Option<Breach>,
     /// The interval ratio that used most of its allowance.
     pub ratio: Option<Figure>,
+    /// The chattering time from one impact alone that used most of its allowance.
+    pub left: Option<Figure>,
 }
 
 /// Checks the history of an oracle that solves `model`.
 pub fn check(case: &Case, model: Model, observed: &Observed) -> Checked {
     let history = &observed.history;
-    let mut checked = Checked { breach: form(case, history), ratio: None };
+    let mut checked = Checked { breach: form(case, history), ..Checked::default() };
     if checked.breach.is_none() && forcing_is_known(case, model, history) {
         for n in 3..=history.impacts.len() {
             let Some(figure) = interval_ratio(case, observed, n) else { continue };

@@ -31,5 +31,6 @@ pub mod samples;
 pub mod shortfall;
 pub mod shrink;
 pub mod tally;
+mod time_left;
 pub mod tolerance;
 pub mod verdict;

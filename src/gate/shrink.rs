@@ -38,6 +38,7 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Fin
     let fails = |case: &Case| {
         let examination = match finding {
             Finding::Refuted { .. } => examine_and_judge(&concerned, judges, case, true),
+            Finding::Law { .. } if finding.breaks(Law::TimeLeft) => examine_and_judge(&concerned, judges, case, false),
             Finding::Pair { .. } | Finding::Law { .. } | Finding::Broke { .. } => examine(&concerned, case),
         };
         examination.findings().into_iter().find(|found| found.resembles(finding))

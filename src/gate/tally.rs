@@ -33,6 +33,8 @@ pub struct Tally {
     #[serde(skip)]
     pub(super) pairs: BTreeMap<(usize, usize), Pair>,
     pub(super) ratio_law: BTreeMap<String, WorstFigure>,
+    #[serde(default)]
+    pub(super) time_left: BTreeMap<String, WorstFigure>,
     pub(super) judged: usize,
     pub(super) to_judge: usize,
     pub(super) claims: BTreeMap<String, Calibration>,
@@ -94,6 +96,9 @@ impl Tally {
         for (answer, checked) in examination.answers.iter().zip(&examination.checked) {
             if let Some(figure) = checked.ratio {
                 tally.ratio_law.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
+            }
+            if let Some(figure) = checked.left {
+                tally.time_left.insert(answer.oracle.clone(), WorstFigure::new(named, figure));
             }
         }
         tally.judged = usize::from(examination.is_judged());
@@ -180,6 +185,9 @@ impl Tally {
         }
         for (oracle, worst) in other.ratio_law {
             keep_worst(&mut self.ratio_law, oracle, worst);
+        }
+        for (oracle, worst) in other.time_left {
+            keep_worst(&mut self.time_left, oracle, worst);
         }
         self.judged += other.judged;
         self.to_judge += other.to_judge;

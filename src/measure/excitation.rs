@@ -1,8 +1,8 @@
 //! The ground motion of a case as the harness has it; each oracle has its own.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use contract::{Case, Horizon};
+use contract::{Case, Horizon, Invalid, Motion, Sinusoid, Stretch};
 
 /// `f = a sin(ωτ + ψ)`, the ground acceleration in multiples of the threshold, with time counted from the initiation of the case: where `f` reaches the
 /// threshold, growing, `sin ψ = 1/a` (Eq. 12). One that stays below the threshold, `a <= 1`, is counted from where it comes next to it, its peak.
@@ -22,6 +22,21 @@ impl Excitation {
     pub fn new(case: &Case) -> Self {
         let (epsilon, omega) = (case.epsilon(), case.omega());
         Self { omega, in_phase: case.amplitude().min(1.0), quadrature: (epsilon * (2.0 + epsilon)).max(0.0).sqrt() }
+    }
+
+    /// The same as a motion of any kind, for ever.
+    ///
+    /// # Errors
+    /// When the amplitude or the frequency is beyond what a motion may have.
+    pub fn motion(&self) -> Result<Motion, Invalid> {
+        // The phase of the cosine is rounded, by what the sine makes up for.
+        const ROUNDED: f64 = 6.123_233_995_736_766e-17;
+        let Self { omega, in_phase, quadrature } = *self;
+        let terms = vec![
+            Sinusoid { amplitude: in_phase, omega, phase: FRAC_PI_2 },
+            Sinusoid { amplitude: quadrature - in_phase * ROUNDED, omega, phase: 0.0 },
+        ];
+        Motion::sinusoids(vec![Stretch { until: f64::INFINITY, terms }])
     }
 
     /// `ω`.

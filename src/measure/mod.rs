@@ -2,6 +2,7 @@
 
 pub mod asking;
 pub mod clock;
+pub mod closing;
 pub mod conditioning;
 pub mod critical;
 pub mod excitation;

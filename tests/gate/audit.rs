@@ -210,7 +210,7 @@ fn borrowed(oracles: &[Remembering]) -> Vec<&dyn Oracle> {
 fn of_a_green_run() {
     let oracles = oracles("closed-form,ode/linear/tr-bdf2,taylor,asymptotic/paper");
     let judges: Vec<Remembering> = panel::judges().into_iter().map(Remembering::new).collect();
-    let judges = Judges { oracles: borrowed(&judges), every: 4 };
+    let judges = Judges { oracles: borrowed(&judges), every: 4, closing: None };
     let report = audit(&borrowed(&oracles), &judges, &cases(), true);
     let close: usize = report.pairs.iter().map(|pair| pair.too_close).sum();
     assert!(
@@ -235,7 +235,7 @@ fn of_runs_that_are_red() {
     ] {
         let planted = Planted { honest: honest[1], plant: Plant::Answer(change), size: 1.0 };
         let report =
-            audit(&[honest[0], &planted, honest[2]], &Judges { oracles: Vec::new(), every: 1 }, &cases(), false);
+            audit(&[honest[0], &planted, honest[2]], &Judges { oracles: Vec::new(), every: 1, closing: None }, &cases(), false);
         assert!(!report.failures.is_empty());
     }
     // Red as a whole only.
@@ -251,7 +251,7 @@ fn of_runs_that_are_red() {
             Err(Decline::Unsupported { what: "anything" })
         }
     }
-    let report = audit(&[honest[0], honest[1], &Idle], &Judges { oracles: Vec::new(), every: 1 }, &cases(), false);
+    let report = audit(&[honest[0], honest[1], &Idle], &Judges { oracles: Vec::new(), every: 1, closing: None }, &cases(), false);
     assert!(report.failures.is_empty() && !report.shortfalls.is_empty());
 }
 
@@ -266,7 +266,7 @@ fn of_a_run_with_a_wrong_judge() {
     };
     let wrong = Planted { honest: judge.as_ref(), plant: Plant::Answer(off), size: 1.0 };
     let cases: Vec<Named> = cases().into_iter().take(30).collect();
-    let report = audit(&honest, &Judges { oracles: vec![&wrong], every: 1 }, &cases, false);
+    let report = audit(&honest, &Judges { oracles: vec![&wrong], every: 1, closing: None }, &cases, false);
     assert!(report.failures.len() > 10);
     for failure in &report.failures {
         assert_eq!(failure.suspect_judges, ["enclosure/linear"], "{failure:?}");
@@ -274,7 +274,7 @@ fn of_a_run_with_a_wrong_judge() {
     assert!(report::text(&report).contains("the JUDGE is suspect"));
     // One that is wrong by itself is no reason to suspect it.
     let late = Planted { honest: honest[1], plant: Plant::Answer(off), size: 1.0 };
-    let report = audit(&[honest[0], &late], &Judges { oracles: vec![judge.as_ref()], every: 1 }, &cases, false);
+    let report = audit(&[honest[0], &late], &Judges { oracles: vec![judge.as_ref()], every: 1, closing: None }, &cases, false);
     assert!(
         report.failures.iter().all(|failure| failure.suspect_judges.is_empty() && failure.sound == ["closed-form"])
     );
@@ -285,7 +285,7 @@ fn of_a_run_with_a_wrong_judge() {
 fn of_cases_that_got_lost() {
     let oracles = oracles("closed-form,asymptotic/paper");
     let (honest, all) = (borrowed(&oracles), cases());
-    let judges = Judges { oracles: Vec::new(), every: 1 };
+    let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
     for lost in [0, 6, all.len() - 1] {
         let mut left = all.clone();
         left.remove(lost);

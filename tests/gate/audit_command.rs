@@ -33,7 +33,7 @@ fn verify(arguments: &str, folder: &Path) -> (i32, String, Value, String) {
 fn share(partition: Partition) -> Vec<String> {
     let all = run::cases(&run::Selection { cases: 50, seed: 5 }, panel::stepper().as_ref());
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 10 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 10, closing: None };
     let costs: Vec<f64> =
         all.iter().enumerate().map(|(place, named)| cost_of_case(named, judges.asks(place, named))).collect();
     partition.of(all, &costs).iter().map(ToString::to_string).collect()

@@ -23,7 +23,7 @@ fn sample(seed: u64) -> Vec<Named> {
     let selection = Selection { cases: Selection::DEFAULT_CASES, seed };
     let all = run::cases(&selection, panel::stepper().as_ref());
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 10 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 10, closing: None };
     let sampled = all.into_iter().enumerate().filter(|(place, named)| judges.asks(*place, named));
     sampled.map(|(_, named)| named).collect()
 }
@@ -41,7 +41,7 @@ fn claims_that_are_halved_or_doubled_are_noticed() {
     let oracles: Vec<Remembering> =
         panel::select("closed-form,ode/linear/tsit45").unwrap().into_iter().map(Remembering::new).collect();
     let judge = Remembering::new(panel::judges().swap_remove(0));
-    let judges = Judges { oracles: vec![&judge], every: 1 };
+    let judges = Judges { oracles: vec![&judge], every: 1, closing: None };
     let cases = sample(1);
     for (change, red) in [
         ((|_, _, _| ()) as fn(&Case, f64, &mut History), false),
@@ -67,7 +67,7 @@ fn the_record_of_the_claims() {
     let oracles = panel::default();
     let oracles: Vec<&dyn Oracle> = oracles.iter().map(AsRef::as_ref).collect();
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     const SEEDS: [u64; 4] = [1, 2, 3, 4];
     let mut logarithms: BTreeMap<(String, String), f64> = BTreeMap::new();
     for seed in SEEDS {

@@ -160,7 +160,7 @@ fn the_ladder_towards_the_critical_amplitude_passes() {
     assert_eq!(rungs.len(), 40);
     let rungs: Vec<Named> = rungs.into_iter().step_by(pick("step along the ladder", 3, 1)).collect();
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     let run = run::run(&panel, &judges, &rungs, 1, None, &());
     let report = Report::new(&run, &chattercheck::panel::roles());
     assert!(report.passes() && run.failures.is_empty(), "{}", chattercheck::gate::report::text(&report));

@@ -24,7 +24,7 @@ fn fig2() -> Named {
 
 fn judged(panel: &[&dyn Oracle], cases: &[Named], whole: bool) -> Report {
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     let ladders = whole.then(|| ladder::descend(panel, panel::SERIES).unwrap());
     Report::new(&run::run(panel, &judges, cases, 0, ladders, &()), &panel::roles())
 }
@@ -140,7 +140,7 @@ fn only_a_sample_is_judged_unless_something_is_wrong() {
     let sample = cases.iter().enumerate().filter(listed).count();
     assert!(sample > cases.len().div_ceil(7) && sample < cases.len());
     for (every, expected) in [(1, cases.len()), (7, sample)] {
-        let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every };
+        let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every, closing: None };
         assert_eq!(run::run(&panel, &judges, &cases, 0, None, &()).tally.judged(), expected);
     }
 }
@@ -155,7 +155,7 @@ fn a_case_is_judged_where_every_history_is() {
     let judges = panel::judges();
     let oracles: Vec<&dyn Oracle> = judges.iter().map(AsRef::as_ref).collect();
     let judged = |oracles: &[&dyn Oracle]| {
-        let judges = Judges { oracles: oracles.to_vec(), every: 1 };
+        let judges = Judges { oracles: oracles.to_vec(), every: 1, closing: None };
         run::run(&panel, &judges, std::slice::from_ref(&named), 0, None, &()).tally.judged()
     };
     assert_eq!((judged(&oracles), judged(&oracles[..1]), judged(&oracles[1..])), (1, 0, 0));
@@ -198,7 +198,7 @@ fn a_judge_that_says_nothing_falls_short() {
     let panel = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let cases = every(8, 4);
-    let judges = Judges { oracles: vec![&Silent], every: 2 };
+    let judges = Judges { oracles: vec![&Silent], every: 2, closing: None };
     let report = Report::new(&run::run(&panel, &judges, &cases, 0, Some(Vec::new()), &()), &panel::roles());
     assert!(report.judged.asked >= cases.len() / 2 && report.judged.cases == 0);
     let silent = |shortfall: &Shortfall| matches!(shortfall, Shortfall::Unjudged { judged: 0, .. });

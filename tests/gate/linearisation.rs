@@ -147,7 +147,7 @@ fn random(count: usize, seed: u8) -> Vec<Case> {
 /// What the judge says of an oracle on these cases: how many it answered, in how many it is refuted, and how its claims compare with its errors.
 fn judged(oracle: &dyn Oracle, cases: &[Case]) -> (usize, usize, Calibration) {
     let enclosure = enclosure::Enclosure::new(Model::Nonlinear);
-    let judges = Judges { oracles: vec![&enclosure], every: 1 };
+    let judges = Judges { oracles: vec![&enclosure], every: 1, closing: None };
     let (mut answered, mut refuted, mut calibration) = (0, 0, Calibration::default());
     for case in cases {
         let judgements = judges.judge(case, &[ask(oracle, case)], |_| true);

@@ -83,7 +83,7 @@ pub fn mixed(name: &str) -> Mixed {
     let mine =
         Mine { honest: panel::stepper(), name: name.to_owned(), cases: cases.iter().map(|named| named.case).collect() };
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     let known = Known {
         oracle: name.to_owned(),
         class: Class::Observable(Observable::Interval),

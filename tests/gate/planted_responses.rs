@@ -416,7 +416,7 @@ fn a_wrong_response_is_in_every_report() {
     let panel = panel::select("closed-form,taylor").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
     let cases = [run::cases(&Selection { cases: 0, seed: 1 }, panel[0]).swap_remove(0)];
-    let judges = Judges { oracles: Vec::new(), every: 1 };
+    let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
     let green = || Report::new(&run::run(&panel, &judges, &cases, 1, None, &()), &panel::roles());
     assert!(green().passes());
     let (all_well, _) = responses::run(&[&asked(same)], &shakings()[..20], &());

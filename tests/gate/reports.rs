@@ -50,7 +50,7 @@ fn cases() -> Vec<Named> {
 fn report(progress: &impl Progress) -> Report {
     let panel = panel::select("closed-form,taylor").unwrap();
     let panel: Vec<&dyn Oracle> = panel.iter().map(AsRef::as_ref).collect();
-    let judges = Judges { oracles: Vec::new(), every: 1 };
+    let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
     Report::new(&run::run(&panel, &judges, &cases(), 1, None, progress), &panel::roles())
 }
 
@@ -121,7 +121,7 @@ fn every_failed_case_is_counted() {
     let panel = panel::select("closed-form,taylor").unwrap();
     let off = Plant::Answer(|_, _, history| history.impacts.iter_mut().for_each(|impact| impact.velocity *= 2.0));
     let wrong = Planted { honest: panel[0].as_ref(), plant: off, size: 1.0 };
-    let judges = Judges { oracles: Vec::new(), every: 1 };
+    let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
     let run = run::run(&[&wrong, panel[1].as_ref()], &judges, &cases(), 1, None, &());
     let mut report = Report::new(&run, &panel::roles());
     let one = report.failures[0].clone();
@@ -170,7 +170,7 @@ fn what_is_compared_in_name_only_is_not_deep() {
     let oracles = panel::select("closed-form,ode/linear/tsit45").unwrap();
     let deepest = |claim: f64| {
         let unsure = Planted { honest: oracles[0].as_ref(), plant: Plant::Answer(change), size: claim };
-        let judges = Judges { oracles: Vec::new(), every: 1 };
+        let judges = Judges { oracles: Vec::new(), every: 1, closing: None };
         let run = run::run(&[&unsure, oracles[1].as_ref()], &judges, &cases()[..1], 1, None, &());
         Report::new(&run, &panel::roles()).reach.deepest_interval
     };

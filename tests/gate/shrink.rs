@@ -24,7 +24,7 @@ fn shrunk(change: fn(&Case, f64, &mut History), judged: bool) -> (Case, chatterc
     let planted = Planted { honest: honest[0].as_ref(), plant: Plant::Answer(change), size: 1.0 };
     let oracles: [&dyn Oracle; 3] = [&planted, honest[1].as_ref(), honest[2].as_ref()];
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     for named in Generator::Random.cases(8, 40, honest[0].as_ref()) {
         let findings = if judged {
             examine_and_judge(&oracles, &judges, &named.case, true)

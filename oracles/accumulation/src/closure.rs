@@ -18,8 +18,8 @@ const MORE: usize = 2;
 pub const MOST_ORDER: usize = 16;
 /// Each term has to be less than this share of the one before it.
 const FALLS: f64 = 0.1;
-/// What rounding leaves in the sum, relative to all of its terms, times `1/(1 - η²)` at the most.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// What rounding leaves in the sum, relative to all of its terms, times `1/(1 - η²)` at the most, in multiples of what it leaves in the pull.
+const ROUNDING: f64 = 8.0;
 
 /// The series of a block under a motion of the ground.
 #[derive(Debug, Clone)]
@@ -160,7 +160,7 @@ impl Closure for Series {
         }
         self.between(&piece, departure)?;
         let (summed, next) = terms.as_slice().split_at_checked(self.order).unwrap_or_default();
-        let rounding = ROUNDING / (1.0 - eta * eta) * summed.iter().map(|term| term.abs()).sum::<f64>();
+        let rounding = ROUNDING * piece.unsure / (1.0 - eta * eta) * summed.iter().map(|term| term.abs()).sum::<f64>();
         let left: f64 = next.iter().zip([1.0, 2.0]).map(|(term, weight)| weight * term.abs()).sum();
         // From the smallest on.
         Ok(Estimate { value: summed.iter().rev().sum(), uncertainty: left + rounding })

@@ -22,17 +22,24 @@ pub struct Piece {
     pub curvature: f64,
     /// A bound on the terms that `f'` is the sum of: what its rounding is relative to.
     pub steepness: f64,
+    /// By how much the weaker pull may be wrong, relative.
+    pub unsure: f64,
 }
 
 impl Piece {
     /// Of ground at rest.
     pub const STILL: Self =
-        Self { value: 0.0, pulls: [1.0; 2], powers: [0.0; MOST], end: f64::INFINITY, curvature: 0.0, steepness: 0.0 };
+        Self { value: 0.0, pulls: [1.0; 2], powers: [0.0; MOST], end: f64::INFINITY, curvature: 0.0, steepness: 0.0, unsure: f64::EPSILON };
 
-    fn new(value: Extended, end: f64) -> Self {
+    /// From `f`, a sum of terms of this `size`.
+    fn new(value: Extended, size: f64, end: f64) -> Self {
+        // Of the digits of two doubles.
+        const ROUNDING: f64 = 1e-29;
         let one = Extended::new(1.0);
         let pulls = [(one + value).rounded(), (one - value).rounded()];
-        Self { value: value.rounded(), pulls, end, ..Self::STILL }
+        let [one, other] = pulls;
+        let unsure = f64::EPSILON + ROUNDING * (1.0 + size) / one.min(other).max(0.0);
+        Self { value: value.rounded(), pulls, end, unsure, ..Self::STILL }
     }
 
     /// The one that `time` is in; after the motion the ground is at rest.
@@ -56,22 +63,23 @@ impl Piece {
 
 fn of_sinusoids(Stretch { until, terms }: &Stretch, time: f64) -> Piece {
     let mut value = Extended::new(0.0);
-    let (mut powers, mut curvature, mut steepness) = ([0.0; MOST], 0.0, 0.0);
+    let (mut powers, mut curvature, mut steepness, mut size) = ([0.0; MOST], 0.0, 0.0, 0.0);
     for &Sinusoid { amplitude, omega, phase } in terms {
         let angle = Extended::new(omega) * Extended::new(time) + Extended::new(phase);
         let (sin, cos) = angle.sin_cos();
         value = value + Extended::new(amplitude) * sin;
-        let (mut this, mut next) = (amplitude * cos.rounded(), -amplitude * sin.rounded());
+        let (mut this, mut next) = (amplitude * cos, -amplitude * sin.rounded());
         let mut power = omega;
         for (slot, k) in powers.iter_mut().zip(2_u32..) {
             *slot += power * this;
             power *= omega / f64::from(k);
             (this, next) = (next, -this);
         }
+        size += amplitude.abs();
         steepness += (amplitude * omega).abs();
         curvature += (amplitude * omega * omega).abs();
     }
-    Piece { powers, curvature, steepness, ..Piece::new(value, *until) }
+    Piece { powers, curvature, steepness, ..Piece::new(value, size, *until) }
 }
 
 /// Both wavelets are derivatives of a bell, `E(y) = exp(-y²/2)`: `-E'' = (1 - y²) E`, and `-E''' = (y³ - 3y) E`.
@@ -111,7 +119,7 @@ fn of_wavelet(&Ricker { amplitude, omega, center, antisymmetric }: &Ricker, time
         powers,
         curvature: most * size.abs() * rate * rate,
         steepness: steepest * size.abs() * rate,
-        ..Piece::new(amplitude * shape * bell, 2.0 * center)
+        ..Piece::new(amplitude * shape * bell, 10.0 * size.abs(), 2.0 * center)
     }
 }
 
@@ -130,7 +138,8 @@ fn of_record(Record { dt, scale, samples }: &Record, time: f64) -> Option<Piece>
     let [from, to] = [Extended::new(*samples.get(k)?) * scale, Extended::new(*samples.get(k + 1)?) * scale];
     let slope = (to - from) / step;
     let since = Extended::new(time) - step * Extended::new(k as f64);
-    let mut piece = Piece::new(from + slope * since, start(k + 1));
+    let size = from.rounded().abs() + to.rounded().abs();
+    let mut piece = Piece::new(from + slope * since, size, start(k + 1));
     if let Some(first) = piece.powers.first_mut() {
         *first = slope.rounded();
     }

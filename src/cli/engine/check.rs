@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         None => manifest.engines.iter().collect(),
     };
     let judges = panel::judges();
-    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1 };
+    let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: 1, closing: None };
     let mut seen = Vec::new();
     for entry in entries {
         let steps = checkup(entry, sensitive(), &judges)?;

@@ -19,10 +19,10 @@ fn every_listed_case_and_every_so_many_others_are_asked() {
     let asks = |judges: &Judges| {
         [Generator::List, Generator::Random].map(|of| [0, 1, 2, 3].map(|place| judges.asks(place, &named(of))))
     };
-    let every = |every: usize| Judges { oracles: vec![oracle], every };
+    let every = |every: usize| Judges { oracles: vec![oracle], every, closing: None };
     assert_eq!(asks(&every(2)), [[true; 4], [true, false, true, false]]);
     assert_eq!(asks(&every(0)), [[true; 4], [true; 4]]);
-    assert_eq!(asks(&Judges { oracles: Vec::new(), every: 1 }), [[false; 4]; 2]);
+    assert_eq!(asks(&Judges { oracles: Vec::new(), every: 1, closing: None }), [[false; 4]; 2]);
     // As many at the end of a long run as at its beginning.
     let of_a_thousand = |from: usize| {
         let asked = (from..from + 1000).filter(|place| every(10).asks(*place, &named(Generator::Random)));
@@ -37,7 +37,7 @@ fn answers_are_judged_by_the_judge_of_their_model_and_only_where_they_are_wanted
     let oracle = stepper();
     let oracle = oracle.as_ref();
     let case = case();
-    let judges = Judges { oracles: vec![oracle], every: 1 };
+    let judges = Judges { oracles: vec![oracle], every: 1, closing: None };
     let answer = ask(oracle, &case);
     let mut wrong = answer.clone();
     if let crate::measure::asking::Reply::Observed(observed) = &mut wrong.reply {
@@ -93,7 +93,7 @@ fn times_are_judged_as_they_are() {
 fn a_case_in_which_something_is_wrong_is_judged_unasked() {
     let oracle = stepper();
     let oracle = oracle.as_ref();
-    let judges = Judges { oracles: vec![oracle], every: 1 };
+    let judges = Judges { oracles: vec![oracle], every: 1, closing: None };
     assert_eq!(examine_and_judge(&[oracle], &judges, &case(), true).judgements.len(), 1);
     assert_eq!(examine_and_judge(&[oracle], &judges, &case(), false).judgements.len(), 0);
     struct Late;

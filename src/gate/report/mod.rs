@@ -77,6 +77,8 @@ pub struct Report {
     pub pairs: Vec<Pair>,
     /// The interval ratio of each oracle against its law.
     pub ratio_law: BTreeMap<String, WorstFigure>,
+    /// The chattering time of each oracle against what the local series says from one of its impacts.
+    pub time_left: BTreeMap<String, WorstFigure>,
     /// How the claims of each oracle compare with its true errors, on the cases that were judged.
     pub judged: Judged,
     /// The ladders.
@@ -206,6 +208,7 @@ impl Report {
             broke: tally.broke.clone(),
             pairs: run.pairs.clone(),
             ratio_law: tally.ratio_law.clone(),
+            time_left: tally.time_left.clone(),
             judged: Judged { asked: tally.to_judge, cases: tally.judged, claims },
             ladders: run.ladders.clone(),
             known: known(run),
