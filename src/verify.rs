@@ -71,7 +71,8 @@ impl Verify {
             None => beside.iter().chain(simulators).copied().collect(),
         };
         let judges = panel::judges();
-        let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: self.judge_every, closing: None };
+        let judges =
+            Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every: self.judge_every, closing: None };
         let selection = Selection { cases: self.cases, seed: self.seed };
         let cases = run::cases(&selection, panel::stepper().as_ref());
         // The ladders are a test of the panel itself.

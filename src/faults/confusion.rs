@@ -140,7 +140,11 @@ impl Bench {
     pub fn row(&self, fault: &Fault, engine: &dyn Oracle) -> Row {
         let steppers = self.steppers.iter().filter(|one| one.model() == engine.model());
         let panel: Vec<&dyn Oracle> = steppers.map(|one| one as &dyn Oracle).chain([engine]).collect();
-        let judges = Judges { oracles: self.judges.iter().map(|judge| judge as &dyn Oracle).collect(), every: 10, closing: None };
+        let judges = Judges {
+            oracles: self.judges.iter().map(|judge| judge as &dyn Oracle).collect(),
+            every: 10,
+            closing: None,
+        };
         let guests = Guests { is_guest: &|name| name == engine.name(), ..Guests::default() };
         let run = run::with_guests(&panel, &guests, &judges, &Placed::all(&self.cases), 0, None, &());
         let report = Report::new(&run, &panel::roles()).with_engines(vec![described(engine.name())], &run.tally);

@@ -138,7 +138,11 @@ impl Trial {
         let mut examination = examine_answers(panel, &named.case, answers, wanted);
         // The hint that names the planted oracle may stand for the judge as well as for a law.
         if other.is_none_or(|other| other == place) {
-            let judges = Judges { oracles: self.judges.iter().map(|judge| judge as &dyn Oracle).collect(), every: 1, closing: None };
+            let judges = Judges {
+                oracles: self.judges.iter().map(|judge| judge as &dyn Oracle).collect(),
+                every: 1,
+                closing: None,
+            };
             examination.judgements = judges.judge(&named.case, &examination.answers, |judged| judged == place);
         }
         Some(Seen { place, case, named, examination })

@@ -1,7 +1,8 @@
 //! A sequence followed by one method and closed by another, from one of its impacts.
 
 use contract::{
-    Arrival, Body, Case, Closure, Decline, Departure, Ending, Estimate, FlightSolver, Ground, History, Model, Motion, Oracle,
+    Arrival, Body, Case, Closure, Decline, Departure, Ending, Estimate, FlightSolver, Ground, History, Model, Motion,
+    Oracle,
 };
 
 use crate::measure::closing::{chattering_time, of_case};

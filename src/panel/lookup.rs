@@ -102,7 +102,8 @@ pub fn select(list: &str) -> Result<Panel, Invalid> {
 /// When a name or the value of a setting is not known, or the method does not use a setting.
 pub fn one(name: &str, settings: &Settings, equation: &str) -> Result<Box<dyn Oracle>, Refused> {
     let (method, settings, model) = resolve(name, settings, model_named(equation)?)?.ok_or_else(|| {
-        let allowed = "auto, closed-form, closed-form/corrected, ode, taylor, asymptotic, accumulation, enclosure or printed";
+        let allowed =
+            "auto, closed-form, closed-form/corrected, ode, taylor, asymptotic, accumulation, enclosure or printed";
         Invalid::new("oracle", name, allowed)
     })?;
     Ok((method.make)(&settings, model)?)

@@ -234,8 +234,12 @@ fn of_runs_that_are_red() {
         |_, _, history| history.impacts.iter_mut().for_each(|impact| impact.velocity = -impact.velocity),
     ] {
         let planted = Planted { honest: honest[1], plant: Plant::Answer(change), size: 1.0 };
-        let report =
-            audit(&[honest[0], &planted, honest[2]], &Judges { oracles: Vec::new(), every: 1, closing: None }, &cases(), false);
+        let report = audit(
+            &[honest[0], &planted, honest[2]],
+            &Judges { oracles: Vec::new(), every: 1, closing: None },
+            &cases(),
+            false,
+        );
         assert!(!report.failures.is_empty());
     }
     // Red as a whole only.
@@ -251,7 +255,12 @@ fn of_runs_that_are_red() {
             Err(Decline::Unsupported { what: "anything" })
         }
     }
-    let report = audit(&[honest[0], honest[1], &Idle], &Judges { oracles: Vec::new(), every: 1, closing: None }, &cases(), false);
+    let report = audit(
+        &[honest[0], honest[1], &Idle],
+        &Judges { oracles: Vec::new(), every: 1, closing: None },
+        &cases(),
+        false,
+    );
     assert!(report.failures.is_empty() && !report.shortfalls.is_empty());
 }
 
@@ -274,7 +283,8 @@ fn of_a_run_with_a_wrong_judge() {
     assert!(report::text(&report).contains("the JUDGE is suspect"));
     // One that is wrong by itself is no reason to suspect it.
     let late = Planted { honest: honest[1], plant: Plant::Answer(off), size: 1.0 };
-    let report = audit(&[honest[0], &late], &Judges { oracles: vec![judge.as_ref()], every: 1, closing: None }, &cases, false);
+    let report =
+        audit(&[honest[0], &late], &Judges { oracles: vec![judge.as_ref()], every: 1, closing: None }, &cases, false);
     assert!(
         report.failures.iter().all(|failure| failure.suspect_judges.is_empty() && failure.sound == ["closed-form"])
     );

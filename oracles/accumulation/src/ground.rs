@@ -28,8 +28,15 @@ pub struct Piece {
 
 impl Piece {
     /// Of ground at rest.
-    pub const STILL: Self =
-        Self { value: 0.0, pulls: [1.0; 2], powers: [0.0; MOST], end: f64::INFINITY, curvature: 0.0, steepness: 0.0, unsure: f64::EPSILON };
+    pub const STILL: Self = Self {
+        value: 0.0,
+        pulls: [1.0; 2],
+        powers: [0.0; MOST],
+        end: f64::INFINITY,
+        curvature: 0.0,
+        steepness: 0.0,
+        unsure: f64::EPSILON,
+    };
 
     /// From `f`, a sum of terms of this `size`.
     fn new(value: Extended, size: f64, end: f64) -> Self {

@@ -25,8 +25,8 @@ fn no_claim_is_smaller_than_the_error() {
     let motions = [sines(&[(1.03, 2.0, 0.5)]), sines(&[(0.7, 2.0, 0.2), (0.6, 3.3, -1.0)]), ricker];
     let (mut answers, mut ratios) = (0, Vec::new());
     for (motion, alpha) in motions.iter().flat_map(|motion| [(motion, None), (motion, Some(0.3))]) {
-        for k in 0..120_i32 {
-            let time = 0.5 + 0.023 * f64::from(k);
+        for k in 0..60_i32 {
+            let time = 0.5 + 0.047 * f64::from(k);
             let eta = [0.5, 0.8, 0.95][k as usize % 3];
             let departure = impact(if k % 2 == 0 { 1.0 } else { -1.0 }, time, 0.02 * 0.5_f64.powi(k % 8));
             let Ok(best) = series(16, eta, alpha, motion).time_left(&departure) else { continue };
@@ -46,7 +46,7 @@ fn no_claim_is_smaller_than_the_error() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    assert!(answers > 500 && median < 3.0, "{answers} {median}");
+    assert!(answers > 200 && median < 3.0, "{answers} {median}");
 }
 
 /// What is left of a slower block lies between bounds that are narrower, as they fall with its speed.
