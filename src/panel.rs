@@ -210,7 +210,7 @@ const TABLE: [Method; 8] = [
         may_decline: MOST,
         roles: &[Role::OwnSum],
         responses: &[],
-        make: |settings, model| Ok(Box::new(Closed::new(stepper_of(model), Box::new(accumulation(settings)?)))),
+        make: |settings, model| Ok(Box::new(closed(settings, model)?)),
     },
     Method {
         name: "closed-form/corrected",
@@ -241,6 +241,12 @@ pub fn stepper_of(model: Model) -> Box<dyn Oracle> {
     let stepper = with_role(Role::Stepper).into_iter().find(|oracle| oracle.model() == model);
     // The table has one for each equation: a test holds it to that.
     stepper.unwrap_or_else(|| Box::new(ClosedForm))
+}
+
+/// The impacts of the stepper, closed by the local series.
+fn closed(settings: &Settings, model: Model) -> Result<Closed, Invalid> {
+    let name = if model == Model::Linear { "accumulation/linear" } else { "accumulation/nonlinear" };
+    Ok(Closed::new(name.to_owned(), stepper_of(model), Box::new(accumulation(settings)?)))
 }
 
 fn accumulation(settings: &Settings) -> Result<Accumulation, Invalid> {

@@ -4,7 +4,7 @@ use anyhow::{Context as _, anyhow, ensure};
 use chattercheck::studies::{
     atlas,
     chart::{self, Chart},
-    plan_map, work_precision,
+    plan_map, remaining_time, work_precision,
 };
 use clap::{Args, ValueEnum};
 
@@ -14,13 +14,13 @@ use super::{Status, files::make_folder, output::say};
 ///
 /// The work-precision charts show the error of the chattering time and of impact 40 against what they cost, in seconds and in work. The atlas
 /// shows what each known way of handling the accumulation point does, near and far from the critical amplitude. The plan shows how much model a scene
-/// needs. Some minutes.
+/// needs, remaining-time what the local series says is left after each impact. Some minutes.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Where the files go
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Only one of the three parts
+    /// Only one of the four parts
     #[arg(long, value_enum, value_name = "PART")]
     only: Option<Part>,
     /// Rows of the peers, from benches/peers, to be drawn beside the others
@@ -36,6 +36,7 @@ enum Part {
     WorkPrecision,
     Atlas,
     Plan,
+    RemainingTime,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
@@ -46,10 +47,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     );
     let wanted = |part| only.is_none_or(|only| only == part);
     if *redraw {
-        let parts: [(Part, &[Chart]); 3] = [
+        let parts: [(Part, &[Chart]); 4] = [
             (Part::WorkPrecision, &work_precision::CHARTS),
             (Part::Atlas, &atlas::CHARTS),
             (Part::Plan, &plan_map::CHARTS),
+            (Part::RemainingTime, &remaining_time::CHARTS),
         ];
         let charts = parts.into_iter().filter(|(part, _)| wanted(*part)).flat_map(|(_, charts)| charts);
         say(&chart::redraw(out, charts)?)?;
@@ -73,6 +75,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if wanted(Part::Plan) {
         let files = BTreeMap::from([("plan_map.csv", chart::csv_text(&plan_map::rows()?)?)]);
         say(&chart::write(out, &files, &plan_map::CHARTS)?)?;
+    }
+    if wanted(Part::RemainingTime) {
+        let files = BTreeMap::from([("remaining_time.csv", chart::csv_text(&remaining_time::rows()?)?)]);
+        say(&chart::write(out, &files, &remaining_time::CHARTS)?)?;
     }
     bar.finish_and_clear();
     Ok(Status::Well)

@@ -1,14 +1,15 @@
 use std::path::PathBuf;
 
-use anyhow::anyhow;
+use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        criterion::{Criterion, criteria},
+        criterion::{Criterion, criteria, critical_scale},
         response::{Bout, Response, Termination},
     },
     panel,
 };
 use clap::Args;
+use contract::Invalid;
 use serde::Serialize;
 
 use super::{
@@ -23,6 +24,9 @@ use super::{
 /// Impacts can accumulate only in a gap, while the ground acceleration is below the threshold. After each impact the pull towards the base is bounded over what is left;
 /// where the bounds prove that infinitely many impacts fit into the gap, rest is certain, and so is when it comes, between two bounds. A push before it ends the gap: then
 /// the chattering was incomplete there, and rest may come in a later gap.
+///
+/// Beside it stands what the local series of one impact alone said, from the first impact on at which it is trusted. At last the scale of the motion is looked for, from 1 on,
+/// at which some chattering becomes incomplete: among 400 scales, and then to neighbouring numbers; it is not certified.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
@@ -33,6 +37,9 @@ pub(super) struct Arguments {
     /// Follow the block to this time tau at the most
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
+    /// To which scale of the motion it is looked for incomplete chattering
+    #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = number, default_value = "2")]
+    to_scale: f64,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -45,6 +52,18 @@ struct Answer {
     /// `p`, 1/s: a time over it is in seconds.
     frequency_parameter: f64,
     bouts: Vec<Row>,
+    incomplete: Incomplete,
+}
+
+/// How much stronger the motion has to be for some chattering to be incomplete.
+#[derive(Serialize)]
+struct Incomplete {
+    /// The scale from which on is between these, both 1 if it is so already; `null` where it is not found.
+    lower: Option<f64>,
+    upper: Option<f64>,
+    searched_to: f64,
+    /// Whether that is proven.
+    certified: bool,
 }
 
 #[derive(Serialize)]
@@ -58,6 +77,15 @@ struct Row {
     /// The bounds on the time of rest that were proven then.
     rest_lower: Option<f64>,
     rest_upper: Option<f64>,
+    /// The first impact from which alone the local series is trusted; `null` if it never is.
+    predicted_from_impact: Option<usize>,
+    predicted_at: Option<f64>,
+    /// When it says that rest comes, and what it claims that this is off by.
+    predicted_rest: Option<f64>,
+    predicted_uncertainty: Option<f64>,
+    /// The time that is left then, predicted and true.
+    predicted_left: Option<f64>,
+    true_left: Option<f64>,
     /// When the ground pushes the block off again; `null` if it does not.
     gap_end: Option<f64>,
     /// What is left of the gap at rest.
@@ -68,20 +96,35 @@ struct Row {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
+    let most = arguments.to_scale;
+    ensure!(most > 1.0 && most <= 1e6, Invalid::new("to-scale", format!("{most:?}"), "above 1, up to 1e6"));
     let request = scene.on_motion(arguments.until, Termination::Exact)?;
     let oracle = panel::stepper_on(&request.body, &request.motion);
     let declined = |decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = Response::on_motion(oracle.as_ref(), &request).map_err(declined)?;
-    let found = criteria(oracle.as_ref(), &request, &response).map_err(declined)?;
+    let closing = panel::closing();
+    let found = criteria((oracle.as_ref(), closing.as_ref()), &request, &response).map_err(declined)?;
+    let critical =
+        critical_scale(oracle.as_ref(), &request, most).map_err(|why| anyhow!("{}: {why}", oracle.name()))?;
     let bouts = response.bouts.iter().zip(&found).map(|(bout, criterion)| row(bout, criterion)).collect();
-    let answer = Answer { title: scene.title.clone(), frequency_parameter: scene.block.frequency_parameter(), bouts };
+    let answer = Answer {
+        title: scene.title.clone(),
+        frequency_parameter: scene.block.frequency_parameter(),
+        bouts,
+        incomplete: Incomplete {
+            lower: critical.map(|crossing| crossing.lower),
+            upper: critical.map(|crossing| crossing.upper),
+            searched_to: most,
+            certified: false,
+        },
+    };
     arguments.format.print(&answer, text)?;
     note(format_args!("by the flights of {}", oracle.name()));
     Ok(Status::Well)
 }
 
 fn row(bout: &Bout, criterion: &Criterion) -> Row {
-    let Criterion { certain, gap_end, missed_a_gap } = *criterion;
+    let Criterion { certain, gap_end, missed_a_gap, predicted } = *criterion;
     let between = certain.and_then(|certain| certain.between);
     Row {
         from: bout.begin(),
@@ -91,6 +134,12 @@ fn row(bout: &Bout, criterion: &Criterion) -> Row {
         certain_at: certain.map(|certain| certain.time),
         rest_lower: between.map(|(lower, _)| lower),
         rest_upper: between.map(|(_, upper)| upper),
+        predicted_from_impact: predicted.map(|predicted| predicted.impact),
+        predicted_at: predicted.map(|predicted| predicted.time),
+        predicted_rest: predicted.map(|predicted| predicted.rest.value),
+        predicted_uncertainty: predicted.map(|predicted| predicted.rest.uncertainty),
+        predicted_left: predicted.map(|predicted| predicted.rest.value - predicted.time),
+        true_left: predicted.map(|predicted| bout.end() - predicted.time),
         gap_end,
         margin: gap_end.map(|end| end - bout.end()),
         missed_a_gap,
@@ -98,15 +147,15 @@ fn row(bout: &Bout, criterion: &Criterion) -> Row {
 }
 
 fn text(answer: &Answer) -> String {
-    let Answer { title, frequency_parameter: p, bouts } = answer;
+    let Answer { title, frequency_parameter: p, bouts, incomplete } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
     if bouts.is_empty() {
         lines.push("  the block never rocks".to_owned());
     }
-    for Row {
-        from, to, ending, certain_from_impact, certain_at, rest_lower, rest_upper, margin, missed_a_gap, ..
-    } in bouts
-    {
+    for bout in bouts {
+        let Row {
+            from, to, ending, certain_from_impact, certain_at, rest_lower, rest_upper, margin, missed_a_gap, ..
+        } = bout;
         lines.push(format!("  rocks from {:.6} s to {:.6} s (tau = {from} to {to}): {ending}", from / p, to / p));
         if *missed_a_gap {
             lines.push("    it was still rocking when the ground pushed again: a gap was missed".to_owned());
@@ -117,11 +166,28 @@ fn text(answer: &Answer) -> String {
                 .map_or(String::new(), |(low, high)| format!(", and that it comes between tau = {low} and {high}"));
             lines.push(format!("    rest was certain from impact {impact} on, at {:.6} s{between}", at / p));
         }
+        lines.extend(prediction(bout));
         lines.push(match margin {
             Some(margin) => format!("    the ground pushes again {:.6} s after it came to rest", margin / p),
             None if *ending == "complete" => "    the ground does not push again".to_owned(),
             None => continue,
         });
     }
+    let Incomplete { lower, upper, searched_to, .. } = incomplete;
+    lines.push(match (lower, upper) {
+        (Some(lower), Some(upper)) if lower == upper => "  some chattering is incomplete as it is".to_owned(),
+        (_, Some(upper)) => format!("  from {upper} times the motion on some chattering is incomplete"),
+        _ => format!("  up to {searched_to} times the motion all chattering is complete"),
+    });
     lines.join("\n")
+}
+
+/// What the series said, and what came.
+fn prediction(bout: &Row) -> Option<String> {
+    let (impact, uncertainty) = (bout.predicted_from_impact?, bout.predicted_uncertainty?);
+    let (predicted, left) = (bout.predicted_left?, bout.true_left?);
+    let off = predicted - left;
+    Some(format!(
+        "    impact {impact} alone says that tau = {predicted} is left until then, to {uncertainty:.0e}; it is off by {off:.0e}"
+    ))
 }

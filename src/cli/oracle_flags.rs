@@ -14,7 +14,7 @@ use super::{case_flags::CaseFlags, numbers::number};
 /// Which oracle to ask, and its settings.
 #[derive(Args)]
 pub(crate) struct OracleFlags {
-    /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` (for impacts: the fastest on the equation that is asked for) [default: the first of closed-form, taylor, auto, ode, asymptotic and enclosure that uses everything that is given; auto for a scene]
+    /// The method; see `chattercheck oracles`. auto is the cheapest that meets --tolerance; see `chattercheck plan` (for impacts: the fastest on the equation that is asked for) [default: the first of closed-form, taylor, auto, ode, asymptotic, enclosure and accumulation that uses everything that is given; auto for a scene]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
     /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
@@ -26,7 +26,7 @@ pub(crate) struct OracleFlags {
     /// For ode: each flight in its own units, or all on one clock: rescaled or naive [default: rescaled]
     #[arg(long, value_name = "FLIGHTS")]
     flights: Option<String>,
-    /// For asymptotic: paper (Eq. 65), how many terms of the series (1 to 92), or resummed [default: paper]
+    /// For asymptotic: paper (Eq. 65), how many terms of the series (1 to 92), or resummed [default: paper]; for accumulation: how many terms of the local series (1 to 16) [default: 8]
     #[arg(long, value_name = "paper|K|resummed", allow_hyphen_values = true)]
     order: Option<String>,
     /// The largest relative error of tau_ch that is accepted: for asymptotic by its own claim [default: 0.5]; for auto, of a chattering time only [default: 1e-6, or the scene's]

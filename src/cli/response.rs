@@ -3,6 +3,7 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
+        closed::Closed,
         response::{Bout, BoutEnd, OnMotion, Peak, Request, Response, Sample, State, Termination, Window},
         scene::{self, Scene},
     },
@@ -45,6 +46,9 @@ pub(super) struct Arguments {
     /// For the chattering threshold: the fit of the critical amplitude below which it applies [default: eq76]
     #[arg(long, value_enum)]
     condition: Option<Fit>,
+    /// How the infinite sum is closed where chattering is ended exactly: from the list of impacts, or from the last one alone, by its local series
+    #[arg(long, value_enum, default_value_t = Closing::Impacts)]
+    closing: Closing,
     /// Follow the block to this time tau at the most
     #[arg(long, value_name = "TAU", allow_hyphen_values = true, value_parser = number)]
     until: Option<f64>,
@@ -72,6 +76,12 @@ enum Scheme {
     Exact,
     Velocity,
     Chattering,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Closing {
+    Impacts,
+    Series,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -197,6 +207,13 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Asked::Sinusoid(_) => panel::stepper_of(scene.ask.model),
         Asked::Motion(request) => panel::stepper_on(&request.body, &request.motion),
     };
+    let oracle: Box<dyn Oracle> = match arguments.closing {
+        Closing::Impacts => oracle,
+        Closing::Series => {
+            let closing = panel::closing();
+            Box::new(Closed::new(format!("{} closed by {}", oracle.name(), closing.name()), oracle, closing))
+        }
+    };
     let oracle = oracle.as_ref();
     let declined = |decline: Decline| anyhow!("{} declines: {decline}", oracle.name());
     let response = asked.response(oracle).map_err(declined)?;
@@ -255,6 +272,10 @@ impl Arguments {
                 self.velocity_threshold.unwrap_or_default(),
                 "only with --termination velocity"
             )
+        );
+        ensure!(
+            self.closing == Closing::Impacts || self.termination == Scheme::Exact,
+            Invalid::new("closing", "series", "only with --termination exact")
         );
         if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
             let typed = condition.to_possible_value();

@@ -15,10 +15,9 @@ pub struct Closed {
 }
 
 impl Closed {
-    /// The impacts of `stepper`, closed by `closing`.
-    pub fn new(stepper: Box<dyn Oracle>, closing: Box<dyn Oracle>) -> Self {
-        let model = if stepper.model() == Model::Linear { "linear" } else { "nonlinear" };
-        Self { name: format!("{}/{model}", closing.name()), stepper, closing }
+    /// The impacts of `stepper`, closed by `closing`, under a name.
+    pub fn new(name: String, stepper: Box<dyn Oracle>, closing: Box<dyn Oracle>) -> Self {
+        Self { name, stepper, closing }
     }
 
     /// The chattering time from the impact that tells it best, of those from the first that it is closed from.

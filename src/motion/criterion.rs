@@ -29,23 +29,36 @@ pub struct Criterion {
     pub gap_end: Option<f64>,
     /// Whether a push came after the first gap of the bout, and before it ended: then its chattering was incomplete there.
     pub missed_a_gap: bool,
+    /// What a series said of it that knows one impact alone.
+    pub predicted: Option<Predicted>,
 }
 
-/// What the criterion says of each bout of a response.
+/// When a bout was going to end, from the first impact on that tells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Predicted {
+    /// Which impact, the first being 1.
+    pub impact: usize,
+    /// When that was, `τ`.
+    pub time: f64,
+    /// When the block was going to rest, `τ`.
+    pub rest: Estimate,
+}
+
+/// What the criterion says of each bout of a response, and what `closing` says, which closes a sequence from one impact.
 ///
 /// # Errors
-/// When `oracle`, which the response is of, declines.
-pub fn criteria(oracle: &dyn Oracle, request: &OnMotion, response: &Response) -> Result<Vec<Criterion>, Decline> {
+/// When `oracle`, which the response is of, declines, or `closing` does.
+pub fn criteria(
+    (oracle, closing): (&dyn Oracle, &dyn Oracle),
+    request: &OnMotion,
+    response: &Response,
+) -> Result<Vec<Criterion>, Decline> {
     let solver = oracle.flights_on(&request.body, &request.motion)?;
+    let closure = closing.closure_on(&request.body, &request.motion)?;
     let eta = request.body.eta();
     let of = |bout: &Bout| {
-        let mut impact = 0;
-        let certain = bout.flights.iter().find_map(|flight| {
-            let Arrival::Impact { speed, .. } = flight.arrival else { return None };
-            impact += 1;
-            let time = bout.lobe.start + flight.end;
-            let side = -bout.lobe.mirror * flight.departure.side;
-            let departure = Departure { time, side, rotation: 0.0, velocity: eta * speed, ..flight.departure };
+        let certain = departures(bout, eta).find_map(|(impact, departure)| {
+            let time = departure.time;
             let bounds = |left: Estimate| (time + left.value - left.uncertainty, time + left.value + left.uncertainty);
             solver.rests(&departure).then(|| Certain {
                 impact,
@@ -53,11 +66,30 @@ pub fn criteria(oracle: &dyn Oracle, request: &OnMotion, response: &Response) ->
                 between: solver.time_to_rest(&departure).map(bounds),
             })
         });
+        let predicted = departures(bout, eta).find_map(|(impact, departure)| {
+            let (left, time) = (closure.time_left(&departure).ok()?, departure.time);
+            Some(Predicted { impact, time, rest: Estimate { value: time + left.value, ..left } })
+        });
         let rests = bout.outcome.is_rest();
         let gap_end = if rests { ground::next_push(&request.motion, bout.end()).map(|push| push.time) } else { None };
-        Criterion { certain: certain.filter(|_| rests), gap_end, missed_a_gap: misses(&request.motion, bout) }
+        Criterion {
+            certain: certain.filter(|_| rests),
+            gap_end,
+            missed_a_gap: misses(&request.motion, bout),
+            predicted: predicted.filter(|_| rests),
+        }
     };
     Ok(response.bouts.iter().map(of).collect())
+}
+
+/// The departures of a bout after its impacts, with their numbers, the first being 1.
+fn departures(bout: &Bout, eta: f64) -> impl Iterator<Item = (usize, Departure)> {
+    let landed = bout.flights.iter().filter_map(move |flight| {
+        let Arrival::Impact { speed, .. } = flight.arrival else { return None };
+        let (time, side) = (bout.lobe.start + flight.end, -bout.lobe.mirror * flight.departure.side);
+        Some(Departure { time, side, rotation: 0.0, velocity: eta * speed, ..flight.departure })
+    });
+    (1..).zip(landed)
 }
 
 /// Whether the ground pushed again after the first gap of a bout, before the block was at rest.
@@ -107,10 +139,59 @@ const NARROW: f64 = 4.0 * f64::EPSILON;
 /// # Errors
 /// When the oracle declines, or a scale is out of range.
 pub fn crossings(oracle: &dyn Oracle, request: &OnMotion, (low, high): (f64, f64)) -> Result<Crossings, CrossingError> {
-    let fate = |scale: f64| -> Result<Fate, CrossingError> {
-        let motion = Arc::new(request.motion.scaled(scale)?);
-        let scaled = OnMotion { motion: Arc::clone(&motion), ..request.clone() };
-        let bouts = Response::once_on_motion(oracle, &scaled)?.bouts;
+    let scales = Scales { oracle, request };
+    let (mut before, mut was) = (low, scales.fate(low)?);
+    let mut found = Crossings { at_first: was, ..Crossings::default() };
+    for scale in Scales::steps(low, high) {
+        let is = scales.fate(scale)?;
+        if is.incomplete != was.incomplete {
+            found.incomplete.push(scales.narrow((before, scale), |fate| fate.incomplete, is.incomplete)?);
+        }
+        if is.overturned != was.overturned {
+            found.overturned.push(scales.narrow((before, scale), |fate| fate.overturned, is.overturned)?);
+        }
+        (before, was) = (scale, is);
+    }
+    Ok(found)
+}
+
+/// The first scale from 1 to `most` at which some chattering is incomplete, among 400 of them, narrowed down to neighbouring doubles; `None` if it never is. Where it is at
+/// 1 already both ends are 1.
+///
+/// # Errors
+/// As [`crossings`].
+pub fn critical_scale(oracle: &dyn Oracle, request: &OnMotion, most: f64) -> Result<Option<Crossing>, CrossingError> {
+    let scales = Scales { oracle, request };
+    if scales.fate(1.0)?.incomplete {
+        return Ok(Some(Crossing { lower: 1.0, upper: 1.0, happens_above: true }));
+    }
+    let mut before = 1.0;
+    for scale in Scales::steps(1.0, most) {
+        if scales.fate(scale)?.incomplete {
+            return scales.narrow((before, scale), |fate| fate.incomplete, true).map(Some);
+        }
+        before = scale;
+    }
+    Ok(None)
+}
+
+/// A motion at any scale.
+struct Scales<'a> {
+    oracle: &'a dyn Oracle,
+    request: &'a OnMotion,
+}
+
+impl Scales<'_> {
+    /// All but the first.
+    fn steps(low: f64, high: f64) -> impl Iterator<Item = f64> {
+        let ratio = (high / low).powf(1.0 / STEPS as f64);
+        (1..=STEPS).map(move |step| if step == STEPS { high } else { low * ratio.powf(step as f64) })
+    }
+
+    fn fate(&self, scale: f64) -> Result<Fate, CrossingError> {
+        let motion = Arc::new(self.request.motion.scaled(scale)?);
+        let scaled = OnMotion { motion: Arc::clone(&motion), ..self.request.clone() };
+        let bouts = Response::once_on_motion(self.oracle, &scaled)?.bouts;
         let is_lost = |bout: &&Bout| matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts);
         if let Some(bout) = bouts.iter().find(is_lost) {
             return Err(CrossingError::Lost { scale, ending: bout.outcome.name() });
@@ -120,30 +201,21 @@ pub fn crossings(oracle: &dyn Oracle, request: &OnMotion, (low, high): (f64, f64
             incomplete: bouts.iter().any(|bout| !bout.outcome.is_rest() || misses(&motion, bout)),
             overturned: bouts.iter().any(|bout| bout.outcome == BoutEnd::Overturned),
         })
-    };
-    let narrow = |lower: f64, upper: f64, happens: fn(Fate) -> bool, above: bool| -> Result<Crossing, CrossingError> {
-        let (mut lower, mut upper) = (lower, upper);
+    }
+
+    /// The change between two scales, of which it `happens` at the larger one or at the smaller.
+    fn narrow(
+        &self,
+        (mut lower, mut upper): (f64, f64),
+        happens: fn(Fate) -> bool,
+        above: bool,
+    ) -> Result<Crossing, CrossingError> {
         while upper - lower > NARROW * upper {
             let middle = lower + 0.5 * (upper - lower);
-            if happens(fate(middle)?) == above { upper = middle } else { lower = middle }
+            if happens(self.fate(middle)?) == above { upper = middle } else { lower = middle }
         }
         Ok(Crossing { lower, upper, happens_above: above })
-    };
-    let ratio = (high / low).powf(1.0 / STEPS as f64);
-    let (mut before, mut was) = (low, fate(low)?);
-    let mut found = Crossings { at_first: was, ..Crossings::default() };
-    for step in 1..=STEPS {
-        let scale = if step == STEPS { high } else { low * ratio.powf(step as f64) };
-        let is = fate(scale)?;
-        if is.incomplete != was.incomplete {
-            found.incomplete.push(narrow(before, scale, |fate| fate.incomplete, is.incomplete)?);
-        }
-        if is.overturned != was.overturned {
-            found.overturned.push(narrow(before, scale, |fate| fate.overturned, is.overturned)?);
-        }
-        (before, was) = (scale, is);
     }
-    Ok(found)
 }
 
 /// Why no crossing can be found.

@@ -8,5 +8,6 @@ pub mod engine_profile;
 pub mod paper;
 pub mod plan_map;
 pub mod reference;
+pub mod remaining_time;
 pub mod specimens;
 pub mod work_precision;

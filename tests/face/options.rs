@@ -14,8 +14,18 @@ fn run(arguments: &str) -> (Option<i32>, String, String) {
 }
 
 /// The methods, the choice that is left to the program by name, and none named.
-const METHODS: [&str; 9] =
-    ["", "auto", "closed-form", "ode", "taylor", "asymptotic", "enclosure", "printed", "closed-form/corrected"];
+const METHODS: [&str; 10] = [
+    "",
+    "auto",
+    "closed-form",
+    "ode",
+    "taylor",
+    "asymptotic",
+    "accumulation",
+    "enclosure",
+    "printed",
+    "closed-form/corrected",
+];
 
 /// Options with values that, where they are used, change something.
 const OPTIONS: [&str; 11] = [
@@ -75,6 +85,7 @@ fn where_no_method_is_named_the_first_that_uses_everything_is_asked() {
         ("--rtol 1e-6", "ode/linear/tsit45"),
         ("--order 3", "asymptotic/order-3"),
         ("--order 3 --tolerance 0.1", "asymptotic/order-3"),
+        ("--order 3 --alpha 0.1", "accumulation/nonlinear"),
         ("--digits 20", "enclosure/linear"),
         ("--digits 20 --alpha 0.1", "enclosure/nonlinear"),
     ] {
@@ -85,7 +96,7 @@ fn where_no_method_is_named_the_first_that_uses_everything_is_asked() {
     }
     for (options, words) in [
         ("--order 3 --digits 20", ["--order 3", "--digits 20"]),
-        ("--order 3 --alpha 0.1", ["--alpha", "--order 3"]),
+        ("--order 3 --tolerance 0.1 --alpha 0.1", ["--alpha", "--order 3"]),
         ("--alpha 0.1 --model linear", ["--alpha", "--model linear"]),
     ] {
         let (status, out, err) = run(&format!("chattering-time {CASE} {options}"));
@@ -136,6 +147,12 @@ fn an_option_of_a_command_is_used_or_refused() {
         ),
         ("response SCENE --termination chattering", "--condition eq77 --until 0.5", Used),
         ("response SCENE", "--condition eq77", Refused(&["condition", "--termination chattering"])),
+        ("response SCENE --format json", "--closing series", Used),
+        (
+            "response SCENE --termination chattering",
+            "--closing series",
+            Refused(&["closing = series", "--termination exact"]),
+        ),
         ("response SCENE", "--until 0.5", Used),
         ("response SCENE", "--from 0.5", Used),
         ("response SCENE", "--to 0.5", Used),
@@ -146,6 +163,8 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("criterion SCENE", "--model nonlinear", Used),
         ("criterion SCENE", "--until 0.5", Used),
         ("criterion SCENE", "--format json", Used),
+        ("criterion SCENE", "--to-scale 1.001", Used),
+        ("criterion SCENE", "--to-scale 0.5", Refused(&["to-scale = 0.5", "above 1"])),
         ("overturning PULSE --from 0.9 --to 1.1", "--model linear", Used),
         ("overturning PULSE --from 0.9 --to 1.1", "--format json", Used),
         ("overturning PULSE", "--from 3 --to 2", Refused(&["to = 2", "above --from"])),
