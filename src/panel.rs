@@ -208,7 +208,7 @@ const TABLE: [Method; 8] = [
         by_default: &[],
         by_name: &["accumulation/linear", "accumulation/nonlinear"],
         may_decline: MOST,
-        roles: &[Role::OwnSum],
+        roles: &[],
         responses: &[],
         make: |settings, model| Ok(Box::new(closed(settings, model)?)),
     },

@@ -3,6 +3,7 @@
 //! - The gate: [how a verdict comes about](gate), [the judge](judge), [reading a red run](red), [what the gate catches](detection),
 //!   [expected divergences](divergences), [where cases come from](cases), [a run in parts, and in CI](parts).
 //! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [whole responses](responses), [the plan](plan).
+//! - Theory: [chattering under any motion of the ground](any_motion).
 //! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [how fast it is](speed),
 //!   [other tools](peers).
 //! - Working on it: [adding a method, a law, a case](add).
@@ -25,6 +26,7 @@ macro_rules! links {
 [scenes]: crate::guide::scenes
 [responses]: crate::guide::responses
 [plan]: crate::guide::plan
+[any_motion]: crate::guide::any_motion
 [asymptotics]: crate::guide::asymptotics
 [critical]: crate::guide::critical
 [paper]: crate::guide::paper
@@ -48,6 +50,6 @@ macro_rules! chapters {
 chapters! {
     gate judge red detection divergences cases parts
     commands engines methods scenes responses plan
-    asymptotics critical paper speed peers
+    any_motion asymptotics critical paper speed peers
     add
 }

@@ -69,7 +69,11 @@ pub fn rows() -> Result<Vec<Row>, Error> {
     let motions = [
         ("sinusoid, a = 1.03, ω = 2, η = 0.92", sum(vec![sine(1.03, 2.0, 0.0)])?, 0.92),
         ("antisymmetric Ricker, a = 1.03, ω = 4, η = 0.92", Motion::ricker(wavelet)?, 0.92),
-        ("two sinusoids, η = 0.6", sum(vec![sine(1.2, 0.4, -0.2), sine(0.72, 2.5, 0.0)])?, 0.6),
+        (
+            "two sinusoids, a = 1.7 and 1.02, ω = 0.4 and 2.5, η = 0.6",
+            sum(vec![sine(1.7, 0.4, -0.2), sine(1.02, 2.5, 0.0)])?,
+            0.6,
+        ),
     ];
     let mut rows = Vec::new();
     for (name, motion, eta) in motions {

@@ -20,6 +20,7 @@ mod reports;
 mod responses;
 mod shrink;
 mod summary;
+mod time_left;
 
 #[path = "../effort/mod.rs"]
 mod effort;

@@ -1,6 +1,7 @@
 //! Blocks on a moving ground: flights, whole responses, scenes, and the model that a scene needs.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::panic)] // Test code fails by panicking.
 
+mod closing;
 mod falling;
 mod flights;
 mod free_rocking;

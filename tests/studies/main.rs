@@ -9,6 +9,7 @@ mod paper;
 mod paper_claims;
 mod plan_map;
 mod reference;
+mod remaining_time;
 
 #[path = "../effort/mod.rs"]
 mod effort;
