@@ -6,7 +6,7 @@ use assert_cmd::Command;
 use chattercheck::studies::{
     atlas,
     chart::Table,
-    diagnose, plan_map,
+    diagnose, plan_map, remaining_time,
     work_precision::{CHARTS, Scope, WorkRow, files, measure, read},
 };
 
@@ -97,6 +97,7 @@ fn the_recorded_charts_are_drawn_from_the_recorded_tables() {
         ("work_precision", &CHARTS[..]),
         ("atlas", &atlas::CHARTS),
         ("plan", &plan_map::CHARTS),
+        ("remaining_time", &remaining_time::CHARTS),
         ("diagnose", &diagnose::CHARTS),
     ] {
         let kept = |name: &str| std::fs::read_to_string(record.join(folder).join(name)).ok();

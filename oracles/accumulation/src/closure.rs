@@ -18,6 +18,8 @@ const MORE: usize = 2;
 pub const MOST_ORDER: usize = 16;
 /// Each term has to be less than this share of the one before it.
 const FALLS: f64 = 0.1;
+/// What multiples of them are claimed: those that follow are less than a tenth of the second, or a hundredth of the first, and so on.
+const WEIGHTS: [f64; MORE] = [1.03, 1.5];
 /// What rounding leaves in the sum, relative to all of its terms, times `1/(1 - η²)` at the most, in multiples of what it leaves in the pull.
 const ROUNDING: f64 = 8.0;
 
@@ -161,7 +163,7 @@ impl Closure for Series {
         self.between(&piece, departure)?;
         let (summed, next) = terms.as_slice().split_at_checked(self.order).unwrap_or_default();
         let rounding = ROUNDING * piece.unsure / (1.0 - eta * eta) * summed.iter().map(|term| term.abs()).sum::<f64>();
-        let left: f64 = next.iter().zip([1.0, 2.0]).map(|(term, weight)| weight * term.abs()).sum();
+        let left: f64 = next.iter().zip(WEIGHTS).map(|(term, weight)| weight * term.abs()).sum();
         // From the smallest on.
         Ok(Estimate { value: summed.iter().rev().sum(), uncertainty: left + rounding })
     }
