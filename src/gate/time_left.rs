@@ -1,6 +1,6 @@
 //! What is left after an impact, by the local series from that impact alone, against where the whole list of impacts says that they accumulate.
 
-use contract::{Case, Closure, Ending, Estimate, Horizon, Impact, Oracle};
+use contract::{Case, Closure, Ending, Estimate, Horizon, Oracle};
 
 use crate::{
     gate::{
@@ -9,7 +9,7 @@ use crate::{
     },
     measure::{
         asking::Answer,
-        closing::{chattering_time, of_case},
+        closing::{chattering_time, departure, of_case},
         observables::Observed,
     },
 };
@@ -44,8 +44,9 @@ fn worst(closure: &dyn Closure, eta: f64, observed: &Observed) -> Option<Figure>
     let expected = observed.chattering_time?;
     let impacts = &observed.history.impacts;
     let at = |place: usize| impacts.get(place).and_then(|impact| chattering_time(closure, impact, eta).ok());
+    // From some impact on all are trusted.
     let last = impacts.len().checked_sub(1)?;
-    let first = first_trusted(impacts, |impact| chattering_time(closure, impact, eta).is_ok());
+    let first = impacts.partition_point(|impact| closure.time_left(&departure(impact)).is_err());
     let places = (0..LOOKS).map(|look| first + (last.saturating_sub(first)) * look / (LOOKS - 1));
     let figures = places.filter_map(|place| Some(figure(place, at(place)?, expected)));
     figures.max_by(|one, other| one.share().total_cmp(&other.share()))
@@ -57,9 +58,4 @@ fn figure(place: usize, closed: Estimate, expected: Estimate) -> Figure {
         difference: (closed.value - expected.value).abs(),
         allowed: closed.uncertainty + expected.uncertainty,
     }
-}
-
-/// The place of the first impact of those at the end of a list that are trusted, if all from some impact on are.
-fn first_trusted(impacts: &[Impact], is_trusted: impl Fn(&Impact) -> bool) -> usize {
-    impacts.partition_point(|impact| !is_trusted(impact))
 }

@@ -25,9 +25,8 @@ pub fn of_case(oracle: &dyn Oracle, case: &Case, model: Model) -> Result<Box<dyn
 /// # Errors
 /// Where the closure declines.
 pub fn chattering_time(closure: &dyn Closure, impact: &Impact, eta: f64) -> Result<Estimate, Decline> {
-    let Impact { time, velocity, uncertainty, .. } = *impact;
-    let (side, velocity) = (velocity.signum(), velocity.abs());
-    let departure = Departure { ground: Ground::Shaking, time, side, rotation: 0.0, velocity };
+    let Impact { time, uncertainty, .. } = *impact;
+    let departure = departure(impact);
     let left = closure.time_left(&departure)?;
     // The clock is a double, and so are the numbers of the case, which a method rounds once more.
     let late = uncertainty.time + ROUNDINGS * f64::EPSILON * time;
@@ -38,6 +37,12 @@ pub fn chattering_time(closure: &dyn Closure, impact: &Impact, eta: f64) -> Resu
         value: time + left.value,
         uncertainty: late + left.uncertainty + relative * left.value + (later.value - left.value).abs(),
     })
+}
+
+/// How the block leaves its base after an impact.
+pub fn departure(impact: &Impact) -> Departure {
+    let Impact { time, velocity, .. } = *impact;
+    Departure { ground: Ground::Shaking, time, side: velocity.signum(), rotation: 0.0, velocity: velocity.abs() }
 }
 
 /// How many roundings the time of an impact may be off by, beside what is claimed for it.

@@ -64,6 +64,10 @@ impl<const M: usize> Polynomial<M> {
 pub fn add_product(sum: &mut [Pair], one: &[Pair], other: &[Pair]) {
     let len = sum.len();
     for (shift, factor) in one.iter().take(len).enumerate() {
+        // Many are: what is of a higher order in the speed, or of every second power.
+        if *factor == Pair::ZERO {
+            continue;
+        }
         let from = sum.get_mut(shift..).unwrap_or_default();
         from.iter_mut().zip(other).for_each(|(sum, term)| *sum += *factor * *term);
     }
