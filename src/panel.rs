@@ -223,8 +223,8 @@ const TABLE: [Method; 8] = [
     Method {
         name: "accumulation",
         models: BOTH,
-        in_name: &[Setting::Model],
-        beside: &[Setting::Order],
+        in_name: &[Setting::Model, Setting::Order],
+        beside: &[],
         by_default: &[],
         by_name: &["accumulation/linear", "accumulation/nonlinear"],
         may_decline: MOST,
@@ -266,7 +266,8 @@ pub fn stepper_of(model: Model) -> Box<dyn Oracle> {
 /// The impacts of the stepper, closed by the local series.
 fn closed(settings: &Settings, model: Model) -> Result<Closed, Invalid> {
     let name = if model == Model::Linear { "accumulation/linear" } else { "accumulation/nonlinear" };
-    Ok(Closed::new(name.to_owned(), stepper_of(model), Box::new(accumulation(settings)?)))
+    let order = settings.order.map_or(String::new(), |order| format!("/order-{order}"));
+    Ok(Closed::new(name.to_owned() + &order, stepper_of(model), Box::new(accumulation(settings)?)))
 }
 
 fn accumulation(settings: &Settings) -> Result<Accumulation, Invalid> {
