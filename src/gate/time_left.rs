@@ -28,7 +28,7 @@ pub fn check(closing: &dyn Oracle, case: &Case, answers: &[Answer], checked: &mu
         };
         let Ok(closure) = of_case(closing, case, answer.model) else { continue };
         checked.left = worst(closure.as_ref(), case.eta(), observed);
-        checked.breach = checked.left.filter(|figure| !(figure.share() <= 1.0)).map(|figure| Breach {
+        checked.breach = checked.left.filter(|figure| figure.share().is_nan() || figure.share() > 1.0).map(|figure| Breach {
             law: Law::TimeLeft,
             impact: figure.impact,
             how: format!(
