@@ -85,7 +85,7 @@ fn where_no_method_is_named_the_first_that_uses_everything_is_asked() {
         ("--rtol 1e-6", "ode/linear/tsit45"),
         ("--order 3", "asymptotic/order-3"),
         ("--order 3 --tolerance 0.1", "asymptotic/order-3"),
-        ("--order 3 --alpha 0.1", "accumulation/nonlinear"),
+        ("--order 3 --alpha 0.1", "accumulation/nonlinear/order-3"),
         ("--digits 20", "enclosure/linear"),
         ("--digits 20 --alpha 0.1", "enclosure/nonlinear"),
     ] {
