@@ -13,6 +13,7 @@ mod judge;
 mod junit;
 mod linearisation;
 mod mixed;
+mod motions;
 mod page;
 mod planted_responses;
 mod reach;

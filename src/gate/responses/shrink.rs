@@ -80,7 +80,10 @@ fn smaller_motions(asked: &AnyMotion) -> Vec<AnyMotion> {
                 for n in 0..stretch.terms.len() {
                     let mut terms = stretch.terms.clone();
                     let term = terms.remove(n);
-                    with(Stretch { terms, ..*stretch });
+                    // A scene has one term at least.
+                    if !terms.is_empty() {
+                        with(Stretch { terms, ..*stretch });
+                    }
                     let fewer = fewer_digits(term.amplitude).map(|amplitude| Sinusoid { amplitude, ..term });
                     let fewer = fewer.chain(fewer_digits(term.omega).map(|omega| Sinusoid { omega, ..term }));
                     let fewer = fewer.chain(fewer_digits(term.phase).map(|phase| Sinusoid { phase, ..term }));
