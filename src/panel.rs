@@ -4,6 +4,7 @@
 //! being compared. Only this file and the studies name the crates of the oracles.
 
 mod lookup;
+mod proven_bouts;
 mod settings;
 #[cfg(test)]
 mod tests;
@@ -26,6 +27,7 @@ pub use lookup::{
     all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, stepper_on,
     with_role,
 };
+pub use proven_bouts::{ProvenBout, proven_bouts};
 pub use settings::{Refused, Setting, Settings};
 
 /// Oracles that are asked the same cases.
@@ -274,6 +276,11 @@ fn accumulation(settings: &Settings) -> Result<Accumulation, Invalid> {
     let Some(order) = settings.order else { return Ok(Accumulation::default()) };
     let terms = order.parse().map_err(|_| Invalid::new("order", order, "1 to 16 for accumulation"))?;
     Accumulation::default().with_order(terms)
+}
+
+/// The judge of an equation of motion.
+pub fn judge_of(model: Model) -> Option<Box<dyn Oracle>> {
+    with_role(Role::Judge).into_iter().find(|oracle| oracle.model() == model)
 }
 
 fn asymptotic(settings: &Settings) -> Result<Asymptotic, Invalid> {

@@ -3,17 +3,17 @@
 use anyhow::bail;
 use chattercheck::{
     motion::response::{OnMotion, Request},
-    panel::{self, Method, Refused, Setting, Settings},
+    panel::{self, Method, ProvenBout, Refused, Setting, Settings},
 };
 use clap::Args;
-use contract::{Decline, Model, Oracle};
+use contract::{Body, Decline, Followed, Model, Motion, Oracle};
 
 use super::numbers::number;
 
 /// Whose flights a response is made of.
 #[derive(Args)]
 pub(super) struct FlightFlags {
-    /// By whose flights the block is followed: closed-form, ode or taylor [default: the fastest on the equation and the motion of the ground]
+    /// By whose flights the block is followed: closed-form, ode or taylor; response is proven by enclosure too [default: the fastest on the equation and the motion of the ground]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
     /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
@@ -24,7 +24,33 @@ pub(super) struct FlightFlags {
     rtol: Option<f64>,
 }
 
+/// What a proof is of: a block, a motion of the ground, and how far it is followed.
+pub(super) type ToProve<'a> = (&'a Body, &'a Motion, &'a Followed);
+
 impl FlightFlags {
+    /// What the judge proves of a whole response, if it is the oracle that is named: its name, and the bouts.
+    ///
+    /// # Errors
+    /// When a value is not known, or the judge does not use an option.
+    pub fn proven(
+        &self,
+        model: Model,
+        digits: Option<i64>,
+        asked: ToProve,
+    ) -> anyhow::Result<Option<(String, Result<Vec<ProvenBout>, Decline>)>> {
+        let Some(name) = self.oracle.as_deref() else { return Ok(None) };
+        Ok(panel::proven_bouts(name, &Settings { digits, ..self.settings() }, model, asked)?)
+    }
+
+    /// Whether an oracle is named.
+    pub fn names_an_oracle(&self) -> bool {
+        self.oracle.is_some()
+    }
+
+    fn settings(&self) -> Settings<'_> {
+        Settings { method: self.method.as_deref(), rtol: self.rtol, ..Settings::default() }
+    }
+
     /// Who follows a sinusoid that is that of a case.
     ///
     /// # Errors
@@ -51,7 +77,7 @@ impl FlightFlags {
         model: Model,
         follows: impl Fn(&dyn Oracle) -> Result<(), Decline>,
     ) -> anyhow::Result<Option<Box<dyn Oracle>>> {
-        let settings = Settings { method: self.method.as_deref(), rtol: self.rtol, ..Settings::default() };
+        let settings = self.settings();
         let uses_all = |method: &Method| settings.given().all(|(setting, _)| method.uses(setting));
         let name = match self.oracle.as_deref() {
             Some(name) => name,

@@ -1,12 +1,16 @@
 use std::path::PathBuf;
 
 use anyhow::{anyhow, ensure};
-use chattercheck::motion::{
-    criterion::{Crossing, Crossings, crossings},
-    response::Termination,
+use chattercheck::{
+    motion::{
+        certainty::certified,
+        criterion::{Crossing, Crossings, Fate, crossings},
+        response::{OnMotion, Termination},
+    },
+    panel,
 };
 use clap::{Args, ValueEnum};
-use contract::Invalid;
+use contract::{Invalid, Oracle};
 use serde::Serialize;
 
 use super::{
@@ -20,8 +24,8 @@ use super::{
 /// How much stronger or weaker a motion has to be for the block to overturn, and for its chattering to be incomplete
 ///
 /// The scale multiplies the whole ground acceleration of the scene. A range of scales is searched at 400 of them, and each change that shows is narrowed down to
-/// neighbouring numbers: a block may survive a stronger shake than one that overturns it. By the responses themselves; it is not certified, and what comes and goes between
-/// two of the 400 scales is not seen.
+/// neighbouring numbers: a block may survive a stronger shake than one that overturns it. By the responses themselves; what comes and goes between two of the 400
+/// scales is not seen. The first change is proven from both sides by the judge where it can: then lower and upper are the nearest scales of which it is certain.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
@@ -66,7 +70,7 @@ struct Changes {
     /// The smallest scale from which it happens is between these; `null` where it does not begin in the range.
     lower: Option<f64>,
     upper: Option<f64>,
-    /// Whether that is proven.
+    /// Whether it is proven that it happens at `upper` and does not at `lower`.
     certified: bool,
     /// Whether it happens at the smallest scale of the range already: then it begins below.
     happens_at_from: bool,
@@ -91,26 +95,35 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let oracle = arguments.flights.on_motion(scene.ask.model, &request)?;
     let Crossings { at_first, incomplete, overturned } =
         crossings(oracle.as_ref(), &request, (from, to)).map_err(|why| anyhow!("{}: {why}", oracle.name()))?;
+    let judge = panel::judge_of(scene.ask.model);
+    let judged = judge.as_deref().map(|judge| (judge, &request));
     let answer = Answer {
         title: scene.title.clone(),
-        overturning: Changes::of(at_first.overturned, overturned),
-        incomplete: Changes::of(at_first.incomplete, incomplete),
+        overturning: Changes::of(at_first.overturned, overturned, judged, |fate| fate.overturned),
+        incomplete: Changes::of(at_first.incomplete, incomplete, judged, |fate| fate.incomplete),
         from,
         to,
     };
     arguments.format.print(&answer, text)?;
-    note(format_args!("by the flights of {}; not certified", oracle.name()));
+    note(format_args!("by the flights of {}", oracle.name()));
     Ok(Status::Well)
 }
 
 impl Changes {
-    fn of(happens_at_from: bool, crossings: Vec<Crossing>) -> Self {
-        let first = crossings.first().filter(|first| first.happens_above);
+    fn of(
+        happens_at_from: bool,
+        crossings: Vec<Crossing>,
+        judged: Option<(&dyn Oracle, &OnMotion)>,
+        happens: fn(Fate) -> bool,
+    ) -> Self {
+        let found = crossings.first().filter(|first| first.happens_above);
+        let proven = judged.zip(found).and_then(|((judge, request), first)| certified(judge, request, first, happens));
+        let first = proven.as_ref().or(found);
         let row = |Crossing { lower, upper, happens_above }| Row { lower, upper, happens_above };
         Self {
             lower: first.map(|first| first.lower),
             upper: first.map(|first| first.upper),
-            certified: false,
+            certified: proven.is_some(),
             happens_at_from,
             changes: crossings.into_iter().map(row).collect(),
         }
@@ -120,14 +133,17 @@ impl Changes {
 fn text(answer: &Answer) -> String {
     let Answer { title, overturning, incomplete, from, to } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
-    for (Changes { happens_at_from, changes, .. }, happens, does_not) in [
+    for (Changes { happens_at_from, changes, lower, upper, certified }, happens, does_not) in [
         (incomplete, "some chattering is incomplete", "all chattering is complete"),
         (overturning, "the block overturns", "the block does not overturn"),
     ] {
         let said = |is: bool| if is { happens } else { does_not };
         lines.push(format!("  at {from} times the motion {}", said(*happens_at_from)));
-        for Row { upper, happens_above, .. } in changes {
+        for (place, Row { upper, happens_above, .. }) in changes.iter().enumerate() {
             lines.push(format!("  from {upper} times on {}", said(*happens_above)));
+            if let (0, true, Some(lower), Some(upper)) = (place, *certified, lower, upper) {
+                lines.push(format!("    proven: not at {lower} times, and at {upper} times"));
+            }
         }
         lines.push(format!("  up to {to} times"));
     }

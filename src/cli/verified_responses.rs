@@ -28,7 +28,7 @@ pub(super) struct Responses {
         allow_negative_numbers = true,
         value_parser = count::<0, { Selection::MOST }>,
         help = format!(
-            "How many whole responses, by the oracles that follow them, against a plain follower [default: {}, 0 if none does, and where engines are given]",
+            "How many whole responses, by the oracles that follow them, against a plain follower: two of three on sinusoids, the others on random motions [default: {}, 0 if none does, and where engines are given]",
             Selection::DEFAULT
         )
     )]

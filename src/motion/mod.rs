@@ -1,5 +1,6 @@
 //! A block on a moving ground, from rest to rest: scenes in physical units, whole responses.
 
+pub mod certainty;
 pub mod closed;
 pub mod criterion;
 pub mod linearisation;

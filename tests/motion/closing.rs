@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use chattercheck::{
     motion::{
+        certainty::certified,
         closed::Closed,
-        criterion::{criteria, critical_scale},
+        criterion::{Crossing, criteria, critical_scale},
         response::{BoutEnd, OnMotion, Request, Response, Termination},
     },
     panel,
 };
-use contract::{Body, Case, Motion, Ricker};
+use contract::{Body, Case, Model, Motion, Ricker};
 
 fn request(motion: Motion, eta: f64) -> OnMotion {
     OnMotion {
@@ -107,4 +108,20 @@ fn the_critical_scale_of_a_sine_is_its_critical_amplitude() {
     let off = (0.5 * (crossing.lower + crossing.upper) / critical - 1.0).abs();
     assert!(off < 1e-13 && crossing.upper > crossing.lower, "{crossing:?} {critical}");
     assert_eq!(critical_scale(stepper.as_ref(), &request, 1.05).unwrap(), None);
+}
+
+/// The judge proves what the search found, from both sides; and not what is not so.
+#[test]
+fn the_critical_scale_is_proven() {
+    let request = request(Motion::one_sine(1.02, 2.0).unwrap(), 0.6);
+    let stepper = panel::stepper_on(&request.body, &request.motion);
+    let judge = panel::judge_of(Model::Linear).unwrap();
+    let crossing = critical_scale(stepper.as_ref(), &request, 2.0).unwrap().unwrap();
+    let proven = certified(judge.as_ref(), &request, &crossing, |fate| fate.incomplete).unwrap();
+    let critical = 1.122_593_927_069_722_058 / 1.02;
+    assert!(proven.lower < critical && critical < proven.upper, "{proven:?} {critical}");
+    assert!(proven.upper / proven.lower - 1.0 < 1e-10, "{proven:?}");
+    let elsewhere = Crossing { lower: 1.05, upper: 1.050_000_01, happens_above: true };
+    assert_eq!(certified(judge.as_ref(), &request, &elsewhere, |fate| fate.incomplete), None);
+    assert_eq!(certified(judge.as_ref(), &request, &crossing, |fate| fate.overturned), None);
 }

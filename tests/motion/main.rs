@@ -11,6 +11,7 @@ mod one_answer;
 mod overturning;
 mod plan;
 mod plan_on_motion;
+mod proven;
 mod response;
 mod rows;
 mod scenes;

@@ -1,6 +1,7 @@
 mod asked;
 mod document;
 mod drawings;
+mod proven;
 mod told;
 
 use std::{
@@ -56,6 +57,9 @@ pub(super) struct Arguments {
     model: Option<String>,
     #[command(flatten)]
     flights: FlightFlags,
+    /// For enclosure: how many digits are to be proven, 1 to 100 [default: as many as a double holds]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    digits: Option<i64>,
     /// How chattering is ended: exactly, where its infinite sum accumulates; or by a scheme of the paper's Section 5.2
     #[arg(long, value_enum, default_value_t = Scheme::Exact)]
     termination: Scheme,
@@ -138,6 +142,12 @@ struct Row {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
     let files = arguments.check(&scene)?;
+    if let Some(status) = proven::run(arguments, &scene, &files)? {
+        return Ok(status);
+    }
+    if let Some(digits) = arguments.digits {
+        return Err(Invalid::new("digits", digits, "only with --oracle enclosure").into());
+    }
     let asked = arguments.asked(&scene)?;
     let oracle = match &asked {
         Asked::Sinusoid(request) => arguments.flights.on_sinusoid(scene.ask.model, request),

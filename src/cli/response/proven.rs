@@ -1,0 +1,132 @@
+//! The response as the judge proves it: when the block rocks and rests, between bounds. It has no table and no drawing.
+
+use anyhow::{anyhow, ensure};
+use chattercheck::{
+    motion::{response::Termination, scene::Scene},
+    panel::ProvenBout,
+};
+use contract::{Bout, BoutEnd, Followed, Invalid};
+use serde::Serialize;
+
+use super::{
+    super::{
+        Status,
+        output::{json, note, print, say},
+    },
+    Arguments, Format, Scheme,
+    drawings::Files,
+};
+
+/// How many impacts are listed unless told otherwise: none are asked for.
+const LISTED: usize = 1;
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    title: &'a str,
+    oracle: String,
+    frequency_parameter: f64,
+    bouts: Vec<Row>,
+}
+
+/// Times are `τ` since the start of the motion; bounds are decimals, rounded outward.
+#[derive(Serialize)]
+struct Row {
+    from: f64,
+    from_lower: String,
+    from_upper: String,
+    /// When the block rests; `null` where it does not, or that is undecided.
+    to: Option<f64>,
+    lower: Option<String>,
+    upper: Option<String>,
+    ending: &'static str,
+    /// The first impacts, as many as are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impact_times: Option<Vec<f64>>,
+    /// `φ'` just after each of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impact_velocities: Option<Vec<f64>>,
+}
+
+/// Answers by the judge, if that is the oracle that is named; `None` if it is not.
+///
+/// # Errors
+/// When an option is not used, or the judge declines.
+pub(super) fn run(arguments: &Arguments, scene: &Scene, files: &Files) -> anyhow::Result<Option<Status>> {
+    if !arguments.flights.names_an_oracle() {
+        return Ok(None);
+    }
+    let until = arguments.until.map(|until| until.tau(scene.block.frequency_parameter()));
+    let request = scene.on_motion(until, Termination::Exact)?;
+    let asked =
+        Followed { start: request.start, until: request.until, most_impacts: arguments.impacts.unwrap_or(LISTED) };
+    let Some((oracle, bouts)) =
+        arguments.flights.proven(scene.ask.model, arguments.digits, (&request.body, &request.motion, &asked))?
+    else {
+        return Ok(None);
+    };
+    let refused = |field, value: String| {
+        Invalid::new(field, value, "only with an oracle that follows flights, not with enclosure")
+    };
+    ensure!(arguments.termination == Scheme::Exact, refused("termination", "a scheme".to_owned()));
+    let moments = [("from", arguments.from), ("to", arguments.to)];
+    if let Some((field, moment)) = moments.into_iter().find_map(|(field, moment)| Some((field, moment?))) {
+        return Err(refused(field, moment.to_string()).into());
+    }
+    if let Some(steps) = arguments.steps {
+        return Err(refused("steps", steps.to_string()).into());
+    }
+    ensure!(files.is_empty(), refused("drawing", "--svg or --html".to_owned()));
+    ensure!(!matches!(arguments.format, Some(Format::Csv)), refused("format", "csv".to_owned()));
+    let bouts = bouts.map_err(|decline| anyhow!("{oracle} declines: {decline}"))?;
+    let rows: Vec<Row> = bouts.iter().map(|bout| row(bout, arguments.impacts.is_some())).collect();
+    let is_open = bouts.iter().any(|proven| proven.bout.end == BoutEnd::Undecided);
+    let answer =
+        Answer { title: &scene.title, oracle, frequency_parameter: scene.block.frequency_parameter(), bouts: rows };
+    match arguments.format {
+        Some(Format::Json) => print(&json(&answer, false)?)?,
+        Some(Format::JsonLine) => print(&json(&answer, true)?)?,
+        Some(Format::Text | Format::Csv) | None => say(&(text(&answer) + "\n"))?,
+    }
+    if is_open {
+        note("undecided with the digits that are tried: too near to where the ending changes, or too many impacts");
+    }
+    Ok(Some(Status::Well))
+}
+
+fn row(ProvenBout { bout, begin, rest }: &ProvenBout, lists: bool) -> Row {
+    let Bout { begin: from, impacts, end, .. } = bout;
+    let [from_lower, from_upper] = begin.clone();
+    let (lower, upper) = rest.clone().map_or((None, None), |[lower, upper]| (Some(lower), Some(upper)));
+    Row {
+        from: from.value,
+        from_lower,
+        from_upper,
+        to: if let BoutEnd::Rest(at) = end { Some(at.value) } else { None },
+        lower,
+        upper,
+        ending: match end {
+            BoutEnd::Rest(_) => "complete",
+            BoutEnd::Overturned => "overturned",
+            BoutEnd::Aloft => "rocking",
+            BoutEnd::Undecided => "undecided",
+        },
+        impact_times: lists.then(|| impacts.iter().map(|impact| impact.time).collect()),
+        impact_velocities: lists.then(|| impacts.iter().map(|impact| impact.velocity).collect()),
+    }
+}
+
+fn text(Answer { title, oracle, bouts, .. }: &Answer) -> String {
+    let mut lines =
+        vec![format!("{}, proven by {oracle}; times are tau", if title.is_empty() { "(no title)" } else { title })];
+    for Row { from_lower, from_upper, lower, upper, ending, .. } in bouts {
+        lines.push(format!("  rocks from {from_lower}\n          to {from_upper}"));
+        lines.push(match (lower, upper) {
+            (Some(lower), Some(upper)) => format!("  rests from {lower}\n          to {upper}"),
+            _ => format!("  ending     {ending}"),
+        });
+    }
+    if bouts.is_empty() {
+        lines.push("  never rocks".to_owned());
+    }
+    lines.join("\n")
+}
