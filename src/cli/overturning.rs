@@ -133,16 +133,17 @@ impl Changes {
 fn text(answer: &Answer) -> String {
     let Answer { title, overturning, incomplete, from, to } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
-    for (Changes { happens_at_from, changes, lower, upper, certified }, happens, does_not) in [
+    for (of, happens, does_not) in [
         (incomplete, "some chattering is incomplete", "all chattering is complete"),
         (overturning, "the block overturns", "the block does not overturn"),
     ] {
+        let Changes { happens_at_from, changes, .. } = of;
         let said = |is: bool| if is { happens } else { does_not };
         lines.push(format!("  at {from} times the motion {}", said(*happens_at_from)));
         for (place, Row { upper, happens_above, .. }) in changes.iter().enumerate() {
             lines.push(format!("  from {upper} times on {}", said(*happens_above)));
-            if let (0, true, Some(lower), Some(upper)) = (place, *certified, lower, upper) {
-                lines.push(format!("    proven: not at {lower} times, and at {upper} times"));
+            if let (0, true, Some(below), Some(above)) = (place, of.certified, of.lower, of.upper) {
+                lines.push(format!("    proven: not at {below} times, and at {above} times"));
             }
         }
         lines.push(format!("  up to {to} times"));
