@@ -165,8 +165,9 @@ fn others(asked: &[Row], body: &Body, motion: &Motion) -> Vec<Row> {
         };
         Row { method: oracle.name().to_owned(), model: name(oracle.model()), flights: None, errors: None, verdict, why }
     };
-    let is_new = |oracle: &&Box<dyn Oracle>| asked.iter().all(|row| row.method != oracle.name());
-    panel::default().iter().filter(is_new).map(|oracle| row(oracle.as_ref())).collect()
+    let panel = panel::default();
+    let others = panel.iter().map(AsRef::as_ref);
+    others.filter(|oracle| asked.iter().all(|row| row.method != oracle.name())).map(row).collect()
 }
 
 fn name(model: Model) -> &'static str {

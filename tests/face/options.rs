@@ -178,7 +178,7 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("response PULSE", "--oracle ode", Used),
         ("response PULSE", "--method bdf", Used),
         ("response PULSE --oracle ode", "--rtol 1e-5", Used),
-        ("response PULSE --oracle taylor", "--rtol 1e-5", Refused(&["rtol = 0.00001", "taylor", "--oracle ode"])),
+        ("response PULSE --oracle taylor", "--rtol 1e-5", Refused(&["rtol = 1e-5", "taylor", "--oracle ode"])),
         ("response PULSE", "--oracle ode --rtol 1", Refused(&["rtol = 1.0", "1e-13 <= rtol <= 1e-2"])),
         ("response PULSE", "--oracle closed-form", Refused(&["model = nonlinear", "closed-form"])),
         ("response PULSE --model linear", "--oracle asymptotic", Refused(&["asymptotic/paper declines", "motions"])),

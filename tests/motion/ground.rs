@@ -1,16 +1,18 @@
 //! Scenes whose ground is no sinusoid: pulses, sums, records, and blocks that start in motion, against values to 20 digits and more by another method.
 
-use std::fmt::Write as _;
+use std::{fmt::Write as _, sync::Arc};
 
 use assert_cmd::Command;
 use chattercheck::{
     motion::{
-        response::{Bout, Response, Termination},
+        response::{Bout, OnMotion, Response, Termination},
         scene::Scene,
     },
     panel::{self, Settings},
 };
-use contract::{Arrival, Model};
+use contract::{Arrival, Body, Model, Motion, Ricker, Sinusoid, Stretch};
+
+use crate::effort::pick;
 
 /// A block with the restitution given, under the linear model.
 fn scene(eta: f64, rest: &str) -> Scene {
@@ -361,4 +363,85 @@ fn the_record_among_the_scenes_is_the_one_that_is_made_here() {
         std::fs::read_to_string(path).unwrap() == shaking(),
         "run this test with CHATTERCHECK_WRITE_RECORD=1 to write it anew"
     );
+}
+
+/// A motion of the kind `kind` with random parameters.
+fn random_motion(kind: u32, uniform: &mut impl FnMut(f64, f64) -> f64) -> Motion {
+    let sinusoid = |uniform: &mut dyn FnMut(f64, f64) -> f64| Sinusoid {
+        amplitude: uniform(0.3, 1.2),
+        omega: uniform(0.7, 6.0),
+        phase: uniform(-3.0, 3.0),
+    };
+    match kind {
+        0 => Motion::mavroeidis_papageorgiou(
+            uniform(1.05, 1.6),
+            uniform(1.5, 6.0),
+            uniform(1.2, 3.0),
+            uniform(-3.0, 3.0),
+        ),
+        1 => Motion::ricker(Ricker {
+            amplitude: uniform(1.05, 1.8),
+            omega: uniform(2.0, 6.0),
+            center: uniform(0.5, 2.0),
+            antisymmetric: uniform(0.0, 1.0) < 0.5,
+        }),
+        2 => {
+            let stretch = |until: f64, uniform: &mut dyn FnMut(f64, f64) -> f64| Stretch {
+                until,
+                terms: vec![sinusoid(uniform), sinusoid(uniform)],
+            };
+            Motion::sinusoids(vec![stretch(uniform(0.5, 2.0), uniform), stretch(uniform(3.0, 6.0), uniform)])
+        }
+        _ => {
+            let waves = [sinusoid(uniform), sinusoid(uniform)];
+            let dt = uniform(0.01, 0.1);
+            let at = |tau: f64| waves.iter().map(|of| of.amplitude * (of.omega * tau + of.phase).sin()).sum::<f64>();
+            let samples = (0..60).map(|k| at(f64::from(k) * dt) + 0.1 * uniform(-1.0, 1.0)).collect();
+            Motion::record(dt, 1.0, samples)
+        }
+    }
+    .unwrap()
+}
+
+/// On motions of every kind that nobody chose, the general solver goes the way of the others on both equations, as far as either says that it is sure.
+#[test]
+fn methods_agree_on_motions_that_nobody_chose() {
+    let mut seed: u64 = 7;
+    let mut uniform = |low: f64, high: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut compared = 0;
+    for n in 0..pick("random motions", 12, 400) {
+        let motion = Arc::new(random_motion(n as u32 % 4, &mut uniform));
+        let (eta, alpha) = (uniform(0.5, 0.9), uniform(0.05, 0.4));
+        for alpha in [None, Some(alpha)] {
+            let body = Body::new(eta, alpha).unwrap();
+            let request = OnMotion {
+                body,
+                motion: Arc::clone(&motion),
+                rounding: 0.0,
+                start: (0.0, 0.0),
+                until: 30.0,
+                lies_at: alpha.map(|alpha| std::f64::consts::FRAC_PI_2 / alpha),
+                termination: Termination::Exact,
+                most_impacts: 100_000,
+            };
+            let model = if alpha.is_some() { "nonlinear" } else { "linear" };
+            let ode = panel::one("ode", &Settings::default(), model).unwrap();
+            let [one, other] = [panel::stepper_on(&body, &motion), ode]
+                .map(|oracle| Response::on_motion(oracle.as_ref(), &request).unwrap());
+            for (bout, same) in one.bouts.iter().zip(&other.bouts) {
+                if bout.is_unsure() || same.is_unsure() {
+                    break;
+                }
+                let off = (bout.end() - same.end()).abs();
+                let allowed = bout.uncertainty() + same.uncertainty() + 1e-12 * bout.end();
+                assert_eq!(bout.outcome.name(), same.outcome.name(), "{n} {motion:?} {body:?}");
+                assert!(off <= allowed, "{n} {motion:?} {body:?}: {} {} {allowed:e}", bout.end(), same.end());
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared >= 20, "{compared}");
 }
