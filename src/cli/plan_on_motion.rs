@@ -160,7 +160,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
 fn others(asked: &[Row], body: &Body, motion: &Motion) -> Vec<Row> {
     let row = |oracle: &dyn Oracle| {
         let (verdict, why) = match oracle.flights_on(body, motion) {
-            Ok(_) => ("not needed", "follows it too; was not asked, and its cost is not known".to_owned()),
+            Ok(_) => ("not needed", "could follow it too; not asked, so that its cost is not known".to_owned()),
             Err(why) => ("refused", why.to_string()),
         };
         Row { method: oracle.name().to_owned(), model: name(oracle.model()), flights: None, errors: None, verdict, why }

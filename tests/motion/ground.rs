@@ -99,7 +99,7 @@ fn methods_agree_on_every_motion() {
         let settings = Settings { method: Some(method), rtol, ..Settings::default() };
         panel::one("ode", &settings, "linear").unwrap()
     };
-    let others = [taylor, ode("tsit45", None), ode("esdirk34", None), ode("tsit45", Some(1e-7))];
+    let others = [taylor, ode("tsit45", None), ode("esdirk34", None), ode("tsit45", Some(1e-9))];
     for ground in [
         "pulse = \"one-sine\"\namplitude = { over-threshold = 1.02 }\nfrequency = { omega = 2 }",
         "pulse = \"one-cosine\"\namplitude = { over-threshold = 1.04 }\nfrequency = { omega = 3 }",

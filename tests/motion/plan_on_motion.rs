@@ -53,7 +53,7 @@ fn responses_that_part_need_the_block_as_it_is() {
     };
     // Somewhere on the way up one overturns and the other does not yet.
     let plans = (0..60).map(|k| {
-        let ground = strong.replace("= 6 }", &format!("= {:?} }}", 2.0 + 0.1 * f64::from(k)));
+        let ground = strong.replace("= 6 }", &format!("= {:?} }}", 1.02 + 0.015 * f64::from(k)));
         MotionPlan::new(&scene(0.3, &ground)).unwrap()
     });
     let found = plans.into_iter().find(|plan| overturns(plan) == [true, false] || overturns(plan) == [false, true]);

@@ -277,7 +277,7 @@ impl Oracle for Ode {
     }
 
     fn coarser(&self) -> Option<Box<dyn Oracle>> {
-        let [rtol, _] = claim::tolerances(self.rtol);
+        let [_, rtol] = claim::tolerances(self.rtol);
         Some(Box::new(Self { rtol, ..self.clone() }))
     }
 
