@@ -28,7 +28,7 @@ use super::{
 /// the chattering was incomplete there, and rest may come in a later gap.
 ///
 /// Beside it stands what the local series of one impact alone said, from the first impact on at which it is trusted. At last the scale of the motion is looked for, from 1 on,
-/// at which some chattering becomes incomplete: among 400 scales, and then to neighbouring numbers; it is not certified.
+/// at which some chattering becomes incomplete: among 400 scales, and then to neighbouring numbers, by the fastest flights; it is not certified.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
@@ -109,8 +109,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let response = Response::on_motion(oracle.as_ref(), &request).map_err(declined)?;
     let closing = panel::closing();
     let found = criteria((oracle.as_ref(), closing.as_ref()), &request, &response).map_err(declined)?;
+    // Hundreds of responses: by the fastest flights, whoever is named for the one that is told of.
+    let fastest = panel::stepper_on(&request.body, &request.motion);
     let critical =
-        critical_scale(oracle.as_ref(), &request, most).map_err(|why| anyhow!("{}: {why}", oracle.name()))?;
+        critical_scale(fastest.as_ref(), &request, most).map_err(|why| anyhow!("{}: {why}", fastest.name()))?;
     let bouts = response.bouts.iter().zip(&found).map(|(bout, criterion)| row(bout, criterion)).collect();
     let answer = Answer {
         title: scene.title.clone(),

@@ -1,5 +1,7 @@
 //! A sequence followed by one method and closed by another, from one of its impacts.
 
+use std::sync::Arc;
+
 use contract::{
     Arrival, Body, Case, Closure, Decline, Departure, Ending, Estimate, FlightSolver, Ground, History, Model, Motion,
     Oracle,
@@ -11,13 +13,13 @@ use crate::measure::closing::{chattering_time, of_case};
 pub struct Closed {
     name: String,
     stepper: Box<dyn Oracle>,
-    closing: Box<dyn Oracle>,
+    closing: Arc<dyn Oracle>,
 }
 
 impl Closed {
     /// The impacts of `stepper`, closed by `closing`, under a name.
     pub fn new(name: String, stepper: Box<dyn Oracle>, closing: Box<dyn Oracle>) -> Self {
-        Self { name, stepper, closing }
+        Self { name, stepper, closing: closing.into() }
     }
 
     /// The chattering time from the impact that tells it best, of those from the first that it is closed from.
@@ -56,6 +58,11 @@ impl Oracle for Closed {
         }
         let chattering_time = Some(self.chattering_time(case, &history)?);
         Ok(History { chattering_time, ..history })
+    }
+
+    fn coarser(&self) -> Option<Box<dyn Oracle>> {
+        let stepper = self.stepper.coarser()?;
+        Some(Box::new(Self { name: self.name.clone(), stepper, closing: Arc::clone(&self.closing) }))
     }
 
     fn flights(&self, case: &Case) -> Result<Box<dyn FlightSolver>, Decline> {
