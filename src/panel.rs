@@ -95,7 +95,13 @@ pub const SERIES: &str = "asymptotic/paper";
 
 /// What the gate is told of the panel.
 pub fn roles() -> Roles<'static> {
-    Roles { series: SERIES, may_decline: &may_decline, granted: &|_| false, shown_by: &shown_by }
+    Roles {
+        series: SERIES,
+        may_decline: &may_decline,
+        granted: &|_| false,
+        never_rests: &|_| false,
+        shown_by: &shown_by,
+    }
 }
 
 /// The command that shows the history of an oracle for a case that is given by flags.

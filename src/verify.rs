@@ -1,7 +1,7 @@
 //! The gate in one call, for simulators that are written in Rust and are no part of this repository: what `chattercheck verify --engines` does for those in
 //! other languages. `data/examples/simulator` is a crate that uses it.
 
-use contract::{Case, Decline, History, Invalid, Model, Oracle, Uncertainty};
+use contract::{Case, Decline, History, Invalid, Model, Oracle, Uncertainty, conformance::Times};
 
 use crate::{
     faults::explain,
@@ -88,7 +88,7 @@ impl Verify {
         let roles = Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() };
         let described = simulators.iter().map(|simulator| self.described(simulator.name())).collect();
         let model_of = |name: &str| simulators.iter().find(|simulator| simulator.name() == name).map(|one| one.model());
-        let report = Report::new(&run, &roles).with_engines(described, &run.tally);
+        let report = Report::new(&run, &roles).with_engines(described, &run);
         Ok(report.explained(|name| explain::for_guest(name, model_of(name)?, &run.tally)))
     }
 
@@ -142,6 +142,10 @@ impl Oracle for WithGranted<'_> {
 
     fn model(&self) -> Model {
         self.simulator.model()
+    }
+
+    fn times(&self) -> Times {
+        Times::AreClaimed
     }
 
     fn history(&self, case: &Case) -> Result<History, Decline> {

@@ -7,6 +7,7 @@ use chattercheck::studies::{
     plan_map, remaining_time, work_precision,
 };
 use clap::{Args, ValueEnum};
+use contract::Invalid;
 
 use super::{Status, files::make_folder, output::say};
 
@@ -56,6 +57,15 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let charts = parts.into_iter().filter(|(part, _)| wanted(*part)).flat_map(|(_, charts)| charts);
         say(&chart::redraw(out, charts)?)?;
         return Ok(Status::Well);
+    }
+    let resolved = |path: &PathBuf| path.canonicalize().ok();
+    if let Some(path) = peers
+        && let Some(file) = resolved(path)
+        && file.parent() == resolved(out).as_deref()
+    {
+        return Err(
+            Invalid::new("peers", path.display(), "a file outside of --out, whose tables are written over").into()
+        );
     }
     let peers = peers.as_ref().map(peers_in).transpose()?.unwrap_or_default();
     // First, because what follows takes a while.

@@ -14,9 +14,7 @@ use chattercheck::{
         record::{Keeper, Recording},
     },
     faults::explain,
-    gate::{
-        explanation::Explanation, guests::Guests, known::Known, partition::EngineAsked, roles::Roles, tally::Tally,
-    },
+    gate::{explanation::Explained, guests::Guests, known::Known, partition::EngineAsked, roles::Roles, tally::Tally},
     panel::{self, Panel},
     stored::sha256,
 };
@@ -45,6 +43,8 @@ pub(super) struct Asked<'a> {
     checksum: String,
     entries: Vec<Entry>,
     record: Option<&'a Path>,
+    /// What the run reads.
+    files: Vec<PathBuf>,
 }
 
 /// The engines of a run, started.
@@ -63,18 +63,13 @@ struct Record {
     recording: Arc<Recording<BufWriter<std::fs::File>>>,
 }
 
-/// What is allowed for a report where a file is read.
-pub(super) const READ: &str = "another file than the one that is read";
+/// What is allowed for a file that is written where a run reads it, or an engine is made of it.
+const READ: &str = "it has to be another file than one that is read";
 
 impl EngineFlags {
-    /// The manifest, which no report may be written over.
-    pub fn manifest(&self) -> (&'static str, Option<&Path>) {
-        (READ, self.engines.as_deref())
-    }
-
-    /// The record, which no report may be written over.
-    pub fn record(&self) -> (&'static str, Option<&Path>) {
-        ("another file than that of --record", self.record.as_deref())
+    /// Whether the talk is to be kept.
+    pub fn is_recorded(&self) -> bool {
+        self.record.is_some()
     }
 
     /// The engines that are asked for, in a run that reads these files too.
@@ -82,19 +77,27 @@ impl EngineFlags {
     /// # Errors
     /// When the manifest has something wrong in it, an engine has the name of an oracle, or the record would be written over a file that is read.
     pub fn read(&self, read: &[&Path]) -> anyhow::Result<Asked<'_>> {
+        let mut files: Vec<PathBuf> = read.iter().map(|path| path.to_path_buf()).collect();
+        let asked = self.asked(&mut files)?;
         if let Some(record) = &self.record {
             let target = Target::new(record)?;
-            let mut read = read.iter().copied().chain(self.engines.as_deref()).filter_map(Target::resolved);
-            if read.any(|path| target.is_at(&path)) {
+            if files.iter().filter_map(|path| Target::resolved(path)).any(|path| target.is_at(&path)) {
                 return Err(Invalid::new("record", record.display(), READ).into());
             }
         }
+        Ok(Asked { files, ..asked })
+    }
+
+    /// The engines; their manifest and what they are made of are added to the files that are read.
+    fn asked(&self, files: &mut Vec<PathBuf>) -> anyhow::Result<Asked<'_>> {
         let Some(path) = &self.engines else {
             let (manifest, checksum) = (Path::new(""), String::new());
-            return Ok(Asked { manifest, checksum, entries: Vec::new(), record: None });
+            return Ok(Asked { manifest, checksum, entries: Vec::new(), record: None, files: Vec::new() });
         };
+        files.push(path.clone());
         let manifest = Manifest::read(path)?;
         let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        files.extend(manifest.engines.iter().flat_map(Entry::files));
         let entries: Vec<Entry> = match &self.only {
             Some(name) => vec![manifest.engine(name)?.clone()],
             None => manifest.engines,
@@ -105,7 +108,8 @@ impl EngineFlags {
                 bail!("{}: name: {name:?} is the name of an oracle (see `chattercheck oracles`)", path.display());
             }
         }
-        Ok(Asked { manifest: path, checksum: sha256(&text), entries, record: self.record.as_deref() })
+        let (checksum, record) = (sha256(&text), self.record.as_deref());
+        Ok(Asked { manifest: path, checksum, entries, record, files: Vec::new() })
     }
 }
 
@@ -113,6 +117,12 @@ impl Asked<'_> {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
+    }
+
+    /// The files that no report may be written over, each with what is allowed for it instead.
+    pub fn taken(&self) -> Vec<(&'static str, &Path)> {
+        let read = self.files.iter().map(|path| (READ, path.as_path()));
+        read.chain(self.record.map(|record| ("it has to be another file than that of --record", record))).collect()
     }
 
     /// The oracles that are asked beside them unless others are named.
@@ -151,11 +161,19 @@ pub(super) fn with_roles<T>(engines: &[EngineAsked], manifest: &str, then: impl 
     let may_decline =
         |oracle: &str| engine(oracle).map_or_else(|| panel::may_decline(oracle), |asked| asked.may_decline);
     let granted = |oracle: &str| engine(oracle).is_some_and(|asked| !asked.engine.claims);
+    let never_rests = |oracle: &str| engine(oracle).is_some_and(|asked| asked.never_at_rest);
     let shown_by = |oracle: &str, flags: &str| match engine(oracle) {
         Some(_) => format!("chattercheck engine ask {oracle} --engines {manifest} {flags}"),
         None => panel::shown_by(oracle, flags),
     };
-    then(&Roles { may_decline: &may_decline, granted: &granted, shown_by: &shown_by, ..panel::roles() })
+    let roles = panel::roles();
+    then(&Roles {
+        may_decline: &may_decline,
+        granted: &granted,
+        never_rests: &never_rests,
+        shown_by: &shown_by,
+        ..roles
+    })
 }
 
 impl Engines {
@@ -177,7 +195,7 @@ impl Engines {
     }
 
     /// What mistakes would explain the wrong answers of the engine of this name, of those that were kept; `None` if there is none.
-    pub fn explain(&self, name: &str, tally: &Tally) -> Option<Vec<Explanation>> {
+    pub fn explain(&self, name: &str, tally: &Tally) -> Option<Explained> {
         explain::for_guest(name, self.fleet.engine(name)?.entry.launch.model, tally)
     }
 
@@ -191,6 +209,7 @@ impl Engines {
             }
             .to_owned(),
             may_decline: started.entry.may_decline,
+            never_at_rest: started.entry.never_at_rest,
             manifest: self.checksum.clone(),
         };
         self.fleet.engines.iter().map(asked).collect()

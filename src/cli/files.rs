@@ -117,7 +117,7 @@ pub(super) struct FileOption<'a> {
 /// When one can't be written, or two are the same, or one is among the files that are `taken`: what is allowed then, and the path.
 pub(super) fn targets<'a, Content>(
     options: impl IntoIterator<Item = (Content, FileOption<'a>)>,
-    taken: &[(&'static str, Option<&Path>)],
+    taken: &[(&'static str, &Path)],
 ) -> anyhow::Result<Vec<(Content, Target)>> {
     let mut files: Vec<(Content, Target)> = Vec::new();
     let mut besides: Vec<&'static str> = Vec::new();
@@ -130,7 +130,7 @@ pub(super) fn targets<'a, Content>(
         }
         // What is written over it would be the end of it.
         let is_taken = |taken: &Path| Target::resolved(taken).is_some_and(|taken| target.is_at(&taken));
-        if let Some((allowed, _)) = taken.iter().find(|(_, taken)| taken.is_some_and(is_taken)) {
+        if let Some((allowed, _)) = taken.iter().find(|(_, taken)| is_taken(taken)) {
             return Err(refused(allowed).into());
         }
         files.push((content, target));

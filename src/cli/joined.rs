@@ -29,7 +29,7 @@ pub(super) fn report(
     let engine = |name: &str| request.engines.iter().find(|asked| asked.engine.name == name);
     let described = request.engines.iter().map(|EngineAsked { engine, .. }| engine.clone()).collect();
     let report = with_roles(&request.engines, manifest, |roles| Report::new(&run, roles));
-    let report = report.with_engines(described, &run.tally).with_responses(responses);
+    let report = report.with_engines(described, &run).with_responses(responses);
     let report = report.explained(|name| {
         let model = panel::model_named(&engine(name)?.model).ok()?;
         explain::for_guest(name, model, &run.tally)

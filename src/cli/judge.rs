@@ -108,7 +108,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Reply::Panicked(message) => bail!("{} broke: {message}", judge.name()),
     };
     let judged = listed::judge(&case, &proven, &list, arguments.tolerance);
-    arguments.format.print(&answer(judge.name(), &case, &judged), text)?;
+    arguments.format.print(&answer(judge.name(), &case, &judged), |answer| text(answer, arguments.tolerance))?;
     Ok(match (&judged.first_wrong, judged.right) {
         (Some(_), _) => Status::Disagreed,
         (None, 0) => Status::Failed,
@@ -140,13 +140,15 @@ fn answer(judge: &str, case: &Case, judged: &Judged) -> Answer {
     }
 }
 
-fn text(answer: &Answer) -> String {
+fn text(answer: &Answer, within: f64) -> String {
     let Answer { impacts, right_impacts: right, .. } = answer;
     let mut lines = vec![match &answer.first_wrong {
         Some(wrong) => format!("WRONG at impact {}: {}", wrong.impact, wrong.says),
         None if *right == 0 => "NOTHING CAN BE JUDGED".to_owned(),
-        None if right == impacts => format!("RIGHT: all {impacts} impacts"),
-        None => format!("RIGHT, as far as it can be judged: {right} of {impacts} impacts"),
+        None if right == impacts => format!("RIGHT: all {impacts} impacts, within {within} of an interval"),
+        None => {
+            format!("RIGHT, as far as it can be judged: {right} of {impacts} impacts, within {within} of an interval")
+        }
     }];
     lines.extend(answer.hint.as_ref().map(|hint| format!("as if {hint}")));
     if *right > 0 {
@@ -195,6 +197,11 @@ fn read(path: &Path) -> anyhow::Result<Vec<Listed>> {
     };
     let time = column(&["time", "tau"])?.ok_or_else(|| {
         let columns = head.iter().collect::<Vec<_>>().join(", ");
+        // One column with several words in it has another separator.
+        let other = [';', '\t'].into_iter().find(|separator| columns.contains(*separator));
+        if let Some(separator) = other {
+            return anyhow!("{shown}: columns are separated by commas, not by {separator:?}");
+        }
         anyhow!("{shown}: columns = {columns} are outside the allowed: time (or tau), and velocity if there is one")
     })?;
     let velocity = column(&["velocity"])?;

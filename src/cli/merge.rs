@@ -30,8 +30,9 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let found = part_files::files(&arguments.folder)?;
-    let taken = |path| ("another file than a part of the run", Some(path));
-    let files = arguments.files.check(&found.iter().map(|path| taken(path.as_path())).collect::<Vec<_>>())?;
+    let taken: Vec<_> =
+        found.iter().map(|path| ("it has to be another file than a part of the run", path.as_path())).collect();
+    let files = arguments.files.check(&taken)?;
     let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays: Path::new(""), next: None };
     conclusion.check(&files)?;
     let folder = arguments.folder.display();

@@ -19,7 +19,7 @@ use contract::Oracle;
 use super::{
     Status,
     case_flags::read_text,
-    engine_flags::{EngineFlags, READ},
+    engine_flags::EngineFlags,
     output::note,
     report_files::{ReportFiles, Told},
 };
@@ -37,11 +37,8 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.display();
-    let files = arguments.files.check(&[
-        (READ, Some(&arguments.file)),
-        arguments.engines.manifest(),
-        arguments.engines.record(),
-    ])?;
+    let engines = arguments.engines.read(&[&arguments.file])?;
+    let files = arguments.files.check(&engines.taken())?;
     let text = read_text(&arguments.file)?;
     let other = version_of(&text).filter(|version| version != env!("CARGO_PKG_VERSION"));
     let (replay, case) = Replay::read(&text).with_context(|| match &other {
@@ -52,7 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         let ours = env!("CARGO_PKG_VERSION");
         note(format_args!("{path} was written by version {version}; this is {ours}, whose oracles may differ"));
     }
-    let Some(mut engines) = arguments.engines.read(&[&arguments.file])?.start()? else { return Ok(Status::Failed) };
+    let Some(mut engines) = engines.start()? else { return Ok(Status::Failed) };
     engines.fleet.engines.retain(|engine| replay.oracles.contains(&engine.entry.launch.name));
     let of_panel: Vec<&str> =
         replay.oracles.iter().map(String::as_str).filter(|name| engines.fleet.engine(name).is_none()).collect();
@@ -66,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let cases = [Named::parse(&replay.found_in, case)];
     let run = run::run(&panel, &judges, &cases, replay.seed, None, &());
     let described = engines.fleet.engines.iter().map(Started::described).collect();
-    let report = engines.with_roles(|roles| Report::new(&run, roles)).with_engines(described, &run.tally);
+    let report = engines.with_roles(|roles| Report::new(&run, roles)).with_engines(described, &run);
     let mut text = format!("found then: {}\n", replay.finding);
     for failure in &report.failures {
         text += &format!("{}\n", report::failure_text(failure));

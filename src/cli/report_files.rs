@@ -57,10 +57,10 @@ impl Content {
     /// The option that asks for it.
     fn option(self, path: Option<&Path>) -> FileOption<'_> {
         let (name, beside) = match self {
-            Self::Json => ("json", "another file than that of --json"),
-            Self::Junit => ("junit", "another file than that of --junit"),
-            Self::Html => ("html", "another file than that of --html"),
-            Self::Summary => ("summary", "another file than that of --summary"),
+            Self::Json => ("json", "it has to be another file than that of --json"),
+            Self::Junit => ("junit", "it has to be another file than that of --junit"),
+            Self::Html => ("html", "it has to be another file than that of --html"),
+            Self::Summary => ("summary", "it has to be another file than that of --summary"),
         };
         FileOption { name, beside, path }
     }
@@ -82,7 +82,7 @@ impl ReportFiles {
     ///
     /// # Errors
     /// When one can't be written, or two are the same, or one is among the files that are `taken`: what is allowed then, and the path.
-    pub fn check(&self, taken: &[(&'static str, Option<&Path>)]) -> anyhow::Result<Targets> {
+    pub fn check(&self, taken: &[(&'static str, &Path)]) -> anyhow::Result<Targets> {
         let given = [
             (Content::Json, &self.json),
             (Content::Junit, &self.junit),

@@ -105,8 +105,12 @@ fn own(files: &[PathBuf]) -> anyhow::Result<Vec<Named>> {
 ///
 /// # Errors
 /// When stdout can't be written to.
-pub(super) fn print(cases: &[Placed]) -> anyhow::Result<Status> {
+pub(super) fn print(cases: &[Placed], partition: Partition) -> anyhow::Result<Status> {
+    if cases.is_empty() {
+        output::note(format_args!("chattercheck: nothing is listed: nothing of the run falls to part {partition}"));
+        return Ok(Status::Nothing);
+    }
     let lines = cases.iter().map(|Placed { named, .. }| format!("{named}\t{}\n", case_file::flags(&named.case)));
     output::print(&lines.collect::<String>())?;
-    Ok(if cases.is_empty() { Status::Nothing } else { Status::Well })
+    Ok(Status::Well)
 }

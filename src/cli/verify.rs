@@ -1,5 +1,6 @@
 use std::path::{Path, PathBuf};
 
+use anyhow::bail;
 use chattercheck::{
     cases::generate::Named,
     engines::Started,
@@ -59,7 +60,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["json", "junit", "html", "summary", "full"])]
     out: Option<PathBuf>,
     /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
-    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "json", "junit", "html", "summary", "replays", "format", "full", "out"])]
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "only", "record", "json", "junit", "html", "summary", "replays", "format", "full", "out"])]
     list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,
@@ -67,7 +68,7 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Write the profiles of the engines into DIR, how fast they are among them: tables (CSV), and charts (SVG) drawn from them
-    #[arg(long, value_name = "DIR", requires = "engines", conflicts_with_all = ["list", "out"])]
+    #[arg(long, value_name = "DIR", requires = "engines", conflicts_with = "list")]
     profile: Option<PathBuf>,
     /// Print the wide tables too: every pair, every claim, every law
     #[arg(long)]
@@ -92,9 +93,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let closing = engines.is_empty().then_some(closing.as_ref());
     let judges = Judges { oracles: judges.iter().map(AsRef::as_ref).collect(), every, closing };
     if arguments.list {
-        return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition));
+        return run_cases::print(&arguments.cases.chosen()?.part(&judges, partition), partition);
     }
-    let files = arguments.files.check(&[arguments.engines.manifest(), arguments.engines.record()])?;
+    let files = arguments.files.check(&engines.taken())?;
     let conclusion = Conclusion { full: arguments.full, format: arguments.format, replays: Path::new(""), next: None };
     conclusion.check(&files)?;
     let replays = arguments.replays()?;
@@ -130,6 +131,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if let Some(file) = &part_file
         && let Some(part) = file.there(&request)?
     {
+        if let Some((option, _)) = arguments.of_asking().into_iter().find(|(_, is_given)| *is_given) {
+            bail!("--{option} is not used: part {partition} is there already, and no engine is asked again");
+        }
         let status = file.again(part, &chosen.all, &conclusion, &files)?;
         drop(all);
         return Ok(status.after(engines.stop()));
@@ -151,7 +155,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     watch.end();
     let described = engines.fleet.engines.iter().map(Started::described).collect();
     let report = engines.with_roles(|roles| Report::new(&run, roles));
-    let report = report.with_engines(described, &run.tally).with_responses(of_responses.clone());
+    let report = report.with_engines(described, &run).with_responses(of_responses.clone());
     // Who has to stop has no time for it.
     let report =
         if watch.is_interrupted() { report } else { report.explained(|name| engines.explain(name, &run.tally)) };
@@ -177,7 +181,9 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let status = status.after(profiles);
     // A disagreement stays one where its replay files can't be written.
     let part = partition.suffix();
-    let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed };
+    let granted = engines.fleet.engines.iter().filter(|started| started.is_granted());
+    let granted = granted.map(|started| started.entry.launch.name.clone()).collect();
+    let place = Place { folder: replays, stem: format!("seed-{seed}{part}"), seed, granted };
     let written = write_replays(&all, &judges, &run.failures, &place, &engines.flag(), &watch);
     if let Err(error) = written.and(responses.write_scenes(seed, &wrong_responses, replays, &part, &watch)) {
         note(format_args!("chattercheck: no replay files: {error:#}"));
@@ -190,6 +196,11 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
 const REPLAYS: &str = "chattercheck-replays";
 
 impl Arguments {
+    /// The options whose files come of asking engines, and whether each is given.
+    fn of_asking(&self) -> [(&'static str, bool); 2] {
+        [("profile", self.profile.is_some()), ("record", self.engines.is_recorded())]
+    }
+
     /// The folder for replay files. One that is asked for has to be possible; without the usual one the run goes on.
     fn replays(&self) -> anyhow::Result<&Path> {
         match &self.replays {
@@ -222,11 +233,13 @@ fn every(text: &str) -> Result<usize, Invalid> {
 const CAUSES: usize = 5;
 const OF_EACH: usize = 2;
 
-/// Where replay files go, what their names begin with, and the seed of the run.
+/// Where replay files go, what their names begin with, and what is said in them of the run.
 struct Place<'a> {
     folder: &'a Path,
     stem: String,
     seed: u64,
+    /// The engines whose errors are granted, not claimed.
+    granted: Vec<String>,
 }
 
 /// Shrinks the first finding of a few failures of each cause, and writes each to a file.
@@ -238,7 +251,7 @@ fn write_replays(
     flag: &str,
     watch: &Watch,
 ) -> anyhow::Result<()> {
-    let Place { folder, stem, seed } = place;
+    let Place { folder, stem, seed, .. } = place;
     let groups = by_cause(failures, Failure::cause);
     let chosen: Vec<&Failure> =
         groups.into_iter().take(CAUSES).flat_map(|(_, group)| group.into_iter().take(OF_EACH)).collect();
@@ -248,8 +261,9 @@ fn write_replays(
             let (case, finding) = (&failure.named.case, failure.findings.first()?);
             // Who has to stop has no time for it, and what breaks an engine is not tried again and again.
             let is_as_found = watch.is_interrupted() || finding.is_breakdown();
-            let shrunk =
+            let mut shrunk =
                 if is_as_found { unshrunk(panel, case, finding) } else { shrink(panel, judges, case, finding) };
+            place.granted.iter().for_each(|engine| shrunk.finding.grant(engine));
             Some((Replay::new(&shrunk, failure.named.to_string(), *seed), is_as_found))
         })
         .collect();

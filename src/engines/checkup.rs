@@ -3,14 +3,14 @@
 
 use std::time::Instant;
 
-use contract::{Case, Invalid, Model, Normalisation, Oracle, Slenderness};
+use contract::{Case, Ending, Invalid, Model, Normalisation, Oracle, Slenderness};
 use process::{Answer, Breakdown, Outcome, Tolerance, Welcome};
 use serde::Serialize;
 
 use super::{fleet::Started, manifest::Entry, record::Keeper};
 use crate::{
     cases::case_file::flags,
-    gate::{finding::Finding, judge::Judges, report::finding_text},
+    gate::{finding::Finding, judge::Judges, laws, report::finding_text},
     measure::{
         asking::{self, Reply, ask},
         observables::{Observable, Observed},
@@ -42,6 +42,8 @@ pub enum Mark {
     Well,
     /// It can be left so, but better is possible.
     Hint,
+    /// Nothing was seen of it.
+    Nothing,
     /// Wrong.
     Wrong,
     /// It broke.
@@ -78,8 +80,14 @@ pub fn checkup(entry: &Entry, sensitive: Box<dyn Oracle>, judges: &Judges) -> Re
         offers(&welcome),
         errors(&welcome, entry.launch.tolerance),
     ];
-    for (name, case) in easy_cases(&entry.launch.model, entry.launch.normalisation)? {
-        steps.extend(easy(&started, judges, name, &case));
+    let cases = easy_cases(&entry.launch.model, entry.launch.normalisation)?;
+    for (name, case) in &cases {
+        steps.extend(easy(&started, judges, name, case));
+    }
+    let declined = steps.iter().filter(|step| step.says.starts_with(DECLINES)).count();
+    if declined == cases.len() {
+        let says = "none of the easy cases was answered: whether it is right is not known";
+        steps.push(Step::new("answers", Mark::Nothing, says));
     }
     steps.push(decline(&started, &welcome)?);
     let broke = started.oracle.into_engine().stop();
@@ -133,15 +141,29 @@ fn errors(welcome: &Welcome, tolerance: Tolerance) -> Step {
         return Step::new("errors", Mark::Hint, says);
     }
     let Tolerance { time, interval, velocity, .. } = tolerance;
+    let none =
+        [("time", time), ("interval", interval), ("velocity", velocity)].into_iter().filter(|(_, of)| *of == 0.0);
+    let none: Vec<&str> = none.map(|(name, _)| name).collect();
+    if !none.is_empty() {
+        let says = format!(
+            "it claims none, and the manifest's tolerance leaves out {}, which is granted nothing: every rounding of it counts as wrong",
+            none.join(" and ")
+        );
+        return Step::new("errors", Mark::Hint, says);
+    }
     let says = format!(
         "it claims none; granted are {time:e} in the time, {interval:e} of an interval and {velocity:e} of a velocity, more where the case is ill-conditioned"
     );
     Step::new("errors", Mark::Well, says)
 }
 
-/// Cases that everybody can do: one that comes to rest, one that still rocks at half a period, one that never rocks.
+/// How it is said that a case was declined.
+const DECLINES: &str = "declines an easy case";
+
+/// Cases that everybody can do: one that comes to rest, one that still rocks at half a period, one that never rocks. A rigid body can have the restitution of
+/// each at that slenderness: it loses no more than `1 - eta <= 2 sin(alpha)^2`, all that turned about the other corner.
 fn easy_cases(model: &Model, normalisation: Normalisation) -> Result<Vec<(&'static str, Case)>, Invalid> {
-    let alpha = Slenderness::new(0.2, normalisation)?;
+    let alpha = Slenderness::new(0.5, normalisation)?;
     let case = |a, omega, eta| -> Result<Case, Invalid> {
         let case = Case::from_amplitude(a, omega, eta)?.with_max_impacts(12)?;
         Ok(if *model == Model::Nonlinear { case.with_slenderness(alpha) } else { case })
@@ -154,7 +176,9 @@ fn easy(started: &Started, judges: &Judges, name: &'static str, case: &Case) -> 
     let observed = match &answer.reply {
         Reply::Observed(observed) => observed,
         Reply::Declined(why) => {
-            return vec![Step::new(name, Mark::Hint, format!("declines an easy case, {}: {why}", flags(case)))];
+            let share = started.entry.may_decline;
+            let says = format!("{DECLINES}, {}: {why} (of a run it may decline {share}: may-decline)", flags(case));
+            return vec![Step::new(name, Mark::Hint, says)];
         }
         Reply::Broke(how) => return vec![Step::new(name, Mark::Broke, format!("{how} (the case: {})", flags(case)))],
         Reply::Panicked(message) => return vec![Step::new(name, Mark::Broke, message.clone())],
@@ -162,12 +186,17 @@ fn easy(started: &Started, judges: &Judges, name: &'static str, case: &Case) -> 
     let history = &observed.history;
     let mut steps = Vec::new();
     let judgement = judges.judge(case, std::slice::from_ref(&answer), |_| true).into_iter().next();
+    let truth = judgement.as_ref().map(|judgement| judgement.proven.history.ending);
     let refuted = judgement.and_then(|judgement| {
         let disagreement = judgement.refuted?;
         let granted = started.is_granted();
         Some(Finding::Refuted { oracle: answer.oracle.clone(), judge: judgement.judge, disagreement, granted })
     });
-    steps.push(match refuted {
+    let broken = || {
+        let breach = laws::check(case, answer.model, observed, started.oracle.times()).breach?;
+        Some(Finding::Law { oracle: answer.oracle.clone(), breach })
+    };
+    steps.push(match refuted.or_else(broken) {
         Some(finding) => {
             Step::new(name, Mark::Wrong, format!("{} (the case: {})", finding_text(&finding), flags(case)))
         }
@@ -177,6 +206,14 @@ fn easy(started: &Started, judges: &Judges, name: &'static str, case: &Case) -> 
             Step::new(name, Mark::Well, format!("{} impacts, {}{right}", history.impacts.len(), history.ending))
         }
     });
+    if truth == Some(Ending::AtRest)
+        && matches!(history.ending, Ending::LimitReached(_))
+        && !started.entry.never_at_rest
+    {
+        let says = "it does not say \"at-rest\" of a block that comes to rest, and so no chattering time of it can be compared, without which a run falls \
+                    short. If it can't know, never-at-rest = true in the manifest says so";
+        steps.push(Step::new("at-rest", Mark::Hint, says));
+    }
     if started.oracle.engine().answer(case).intervals_from_times {
         let says = "it sends no \"interval\": they are differences of times, which lose digits with every impact; an engine that knows them should send them";
         steps.push(Step::new("intervals", Mark::Hint, says));

@@ -1,6 +1,6 @@
 //! An engine with the errors that its user grants it.
 
-use contract::{Case, Decline, History, Model, Oracle, Uncertainty};
+use contract::{Case, Decline, History, Model, Oracle, Uncertainty, conformance::Times};
 use process::{Claimed, Engine, Outcome, Tolerance};
 
 use crate::measure::conditioning::Conditioning;
@@ -49,6 +49,10 @@ impl Oracle for Granted {
 
     fn model(&self) -> Model {
         self.engine.model()
+    }
+
+    fn times(&self) -> Times {
+        self.engine.times()
     }
 
     fn history(&self, case: &Case) -> Result<History, Decline> {

@@ -1,6 +1,7 @@
 //! Which engines there are, how each is started, and what is allowed it.
 
 use std::{
+    f64::consts::FRAC_PI_2,
     fs::File,
     io::Read,
     ops::Range,
@@ -54,6 +55,8 @@ pub struct Entry {
     pub pattern: Option<String>,
     /// The largest share of the cases of a run that it may decline.
     pub may_decline: f64,
+    /// Whether it never says that a block comes to rest, so that no chattering time of it can be compared.
+    pub never_at_rest: bool,
     /// Its known failures.
     pub known: Vec<Known>,
 }
@@ -62,7 +65,21 @@ impl Entry {
     /// An engine of which no more is known than how it is started and which equation it solves: it may decline nothing.
     pub fn bare<'a>(name: &str, run: impl IntoIterator<Item = &'a str>, model: Model) -> Self {
         let launch = Launch::new(name, run, model);
-        Self { launch, reason: String::new(), version: None, pattern: None, may_decline: 0.0, known: Vec::new() }
+        Self {
+            launch,
+            reason: String::new(),
+            version: None,
+            pattern: None,
+            may_decline: 0.0,
+            never_at_rest: false,
+            known: Vec::new(),
+        }
+    }
+
+    /// The files that its commands name: the program where it is not one of PATH, and its arguments that are files.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let words = self.launch.run.iter().chain(self.version.iter().flatten());
+        words.map(|word| self.launch.directory.join(word)).filter(|path| path.is_file()).collect()
     }
 }
 
@@ -186,8 +203,17 @@ fn entry(source: Source<'_>, whole: &Range<usize>, table: table::Table) -> Resul
             source.error_at(&spans.may_decline, format!("may-decline: allowed is a share, 0 to 1, not {may_decline}"))
         );
     }
-    let known = table.known.into_iter().map(|known| self::known(source, name, known)).collect::<Result<_, _>>()?;
-    Ok(Entry { launch, reason, version, pattern, may_decline, known })
+    let mut known: Vec<Known> = Vec::new();
+    for spanned in table.known {
+        let span = spanned.span();
+        let entry = self::known(source, name, spanned)?;
+        if known.iter().any(|other| other.class == entry.class && other.regime == entry.regime) {
+            return Err(source.error_at(&span, "known: the same class and the same where stand above already"));
+        }
+        known.push(entry);
+    }
+    let never_at_rest = table.never_at_rest;
+    Ok(Entry { launch, reason, version, pattern, may_decline, never_at_rest, known })
 }
 
 fn known(source: Source<'_>, engine: &str, spanned: Spanned<table::Known>) -> Result<Known, ManifestError> {
@@ -209,9 +235,24 @@ fn known(source: Source<'_>, engine: &str, spanned: Spanned<table::Known>) -> Re
             source.error_at(&span, format!("where: allowed is a range [from, to] with from <= to, not [{from}, {to}]"))
         );
     }
-    if reason.trim().is_empty() {
+    if impact.into_iter().flatten().any(|bound| bound < 0.0 || bound.is_finite() && bound.fract() != 0.0) {
+        return Err(source.error_at(&span, "where: impact is a range of whole numbers, 0 for the history as a whole"));
+    }
+    // Where no case can be, nothing would ever show that the entry is out of date.
+    let possible = [("omega", omega, 0.0, f64::INFINITY), ("eta", eta, 0.0, 1.0), ("alpha", alpha, 0.0, FRAC_PI_2)];
+    for (name, range, least, most) in possible {
+        if let Some([from, to]) = range.filter(|[from, to]| *to < least || *from > most) {
+            let what = format!("where: no case has {name} from {from} to {to}: it is from {least} to {most}");
+            return Err(source.error_at(&span, what));
+        }
+    }
+    if within == Some(0) {
+        return Err(source.error_at(&span, "within: allowed is a number of cases from 1 on, not 0"));
+    }
+    if reason.as_ref().is_none_or(|reason| reason.trim().is_empty()) {
         return Err(source.error_at(&span, "known: it needs a reason"));
     }
+    let reason = reason.unwrap_or_default();
     let (oracle, entry) = (engine.to_owned(), source.place(&span));
     Ok(Known { oracle, class, regime, reason, link, within: within.unwrap_or(WITHIN), entry })
 }

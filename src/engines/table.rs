@@ -8,7 +8,7 @@ use toml::Spanned;
 use crate::{cases::toml_error::Allowed, gate::known::Regime};
 
 /// What is allowed for the fields.
-pub const ALLOWED: [Allowed; 22] = [
+pub const ALLOWED: [Allowed; 23] = [
     ("engine", "tables that start with [[engine]]"),
     ("name", "a name in quotes: letters, digits and - _ . +"),
     ("run", "a list of texts: the program first, then its arguments, as [\"python3\", \"mine.py\"]"),
@@ -25,6 +25,7 @@ pub const ALLOWED: [Allowed; 22] = [
     ("model", "\"linear\" or \"nonlinear\""),
     ("normalisation", "\"threshold\" or \"slender\""),
     ("may-decline", "a share, 0 to 1"),
+    ("never-at-rest", "true or false"),
     (
         "tolerance",
         "a table { time = .., interval = .., velocity = .., tau-ch = .., reason = \"..\" } of numbers from 0 on",
@@ -60,6 +61,8 @@ pub struct Table {
     pub model: Model,
     pub normalisation: Option<Normalisation>,
     pub may_decline: Option<Spanned<f64>>,
+    #[serde(default)]
+    pub never_at_rest: bool,
     pub tolerance: Option<Spanned<Tolerance>>,
     #[serde(default)]
     pub known: Vec<Spanned<Known>>,
@@ -103,7 +106,7 @@ pub struct Known {
     pub class: String,
     #[serde(default, rename = "where")]
     pub regime: Regime,
-    pub reason: String,
+    pub reason: Option<String>,
     pub link: Option<String>,
     pub within: Option<usize>,
 }

@@ -147,7 +147,7 @@ impl Bench {
         };
         let guests = Guests { is_guest: &|name| name == engine.name(), ..Guests::default() };
         let run = run::with_guests(&panel, &guests, &judges, &Placed::all(&self.cases), 0, None, &());
-        let report = Report::new(&run, &panel::roles()).with_engines(vec![described(engine.name())], &run.tally);
+        let report = Report::new(&run, &panel::roles()).with_engines(vec![described(engine.name())], &run);
         let of_engine = |count: fn(&EngineReport) -> usize| report.engines.iter().map(count).sum();
         let samples = run.tally.samples(engine.name()).filter(|samples| samples.has_wrong());
         let found = samples.map(|samples| explain(&samples.all().cloned().collect::<Vec<_>>(), engine.model()));

@@ -192,7 +192,15 @@ fn figure(
 /// Whether two endings say the same, and the lists are of the length that they imply.
 fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, common: usize) -> Agreement {
     let disagree = || {
-        let describe = |o: &Observed| format!("{} after {} impacts", o.history.ending, o.history.impacts.len());
+        let all_alike = kind(first.history.ending) == kind(second.history.ending);
+        let describe = |o: &Observed| match (o.history.ending, o.history.impacts.len()) {
+            // What differs is where the lists end.
+            (ending, listed) if all_alike && listed == case.max_impacts() => {
+                format!("{listed} impacts listed, all that were asked for, {ending}")
+            }
+            (ending, listed) if all_alike => format!("{listed} impacts listed, {ending}"),
+            (ending, listed) => format!("{ending} after {listed} impacts"),
+        };
         Agreement::Disagree(Disagreement {
             observable: Observable::Ending,
             figure: Figure { impact: common + 1, difference: f64::INFINITY, allowed: 0.0 },
@@ -208,7 +216,7 @@ fn endings(case: &Case, first: &Observed, second: &Observed, slack: Slack, commo
     };
     let (shorter, longer) = if first.history.impacts.len() == common { (first, second) } else { (second, first) };
     let time_left_is_within =
-        |unsure: f64, time: f64| horizon(case) - time <= unsure + slack.at(Observable::ImpactTime, common + 1);
+        |unsure: f64, time: f64| (horizon(case) - time).abs() <= unsure + slack.at(Observable::ImpactTime, common + 1);
     // One that comes to rest and one that does not part at an impact that the first has and the second has not.
     let Some(extra) = longer.history.impacts.get(common) else {
         let last = |observed: &Observed| observed.history.impacts.last().map(|last| (last.uncertainty.time, last.time));

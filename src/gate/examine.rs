@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use contract::{Case, Decline, Model, Normalisation, Oracle};
+use contract::{Case, Decline, Model, Normalisation, Oracle, conformance::Times};
 
 use crate::{
     gate::{
@@ -66,6 +66,7 @@ pub fn examine_and_judge(panel: &[&dyn Oracle], judges: &Judges, case: &Case, as
     let is_wrong = || examination.findings().iter().any(|finding| !finding.is_breakdown());
     if asked || is_wrong() {
         examination.judgements = judges.judge(case, &examination.answers, |_| true);
+        examination.acquit(panel, case);
     }
     examination
 }
@@ -78,23 +79,27 @@ pub fn examine_answers(
     answers: Vec<Answer>,
     wanted: impl Fn(usize, usize) -> bool,
 ) -> Examination {
-    let checked = answers
-        .iter()
-        .enumerate()
-        .map(|(place, answer)| match &answer.reply {
-            _ if !wanted(place, place) => Checked::default(),
-            Reply::Observed(observed) => {
-                let checked = laws::check(case, answer.model, observed);
-                let breach = checked.breach.or_else(|| endings::breach(panel, case, &answers, place));
-                Checked { breach, ..checked }
-            }
-            Reply::Declined(_) | Reply::Broke(_) => Checked::default(),
-            Reply::Panicked(message) => {
-                let how = format!("panicked: {message}");
-                Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ..Checked::default() }
-            }
-        })
-        .collect();
+    let by_itself = |(place, answer): (usize, &Answer)| match &answer.reply {
+        _ if !wanted(place, place) => Checked::default(),
+        Reply::Observed(observed) => {
+            let times = panel.get(place).map_or(Times::AreSums, |oracle| oracle.times());
+            laws::check(case, answer.model, observed, times)
+        }
+        Reply::Declined(_) | Reply::Broke(_) => Checked::default(),
+        Reply::Panicked(message) => {
+            let how = format!("panicked: {message}");
+            Checked { breach: Some(Breach { law: Law::Answers, impact: 0, how }), ..Checked::default() }
+        }
+    };
+    let mut checked: Vec<Checked> = answers.iter().enumerate().map(by_itself).collect();
+    // Who breaks a law bears no witness against others.
+    let sound: Vec<bool> = checked.iter().map(|checked| checked.breach.is_none()).collect();
+    let is_sound = |place: usize| sound.get(place).is_some_and(|sound| *sound);
+    for (place, checked) in
+        checked.iter_mut().enumerate().filter(|(place, _)| is_sound(*place) && wanted(*place, *place))
+    {
+        checked.breach = endings::breach(panel, case, &answers, place, is_sound);
+    }
     let gap = model_gap(panel, &answers, case);
     let conditioning = Conditioning::of(panel, &answers, case);
     let mut pairs = Vec::new();
@@ -153,6 +158,24 @@ fn why_incomparable(case: &Case) -> &'static str {
 }
 
 impl Examination {
+    /// Takes back that what is overturned lands again, where those that say so are refuted by the judge or break a law: they prove nothing.
+    fn acquit(&mut self, panel: &[&dyn Oracle], case: &Case) {
+        let is_accused =
+            |checked: &Checked| checked.breach.as_ref().map(|breach| breach.law) == Some(Law::OverturnedStays);
+        let is_refuted =
+            |place: usize| self.judgements.iter().any(|judged| judged.place == place && judged.refuted.is_some());
+        let is_broken = |place: usize| self.checked.get(place).is_some_and(|checked| checked.breach.is_some());
+        let is_sound = |place: usize| !is_refuted(place) && !is_broken(place);
+        let accused = self.checked.iter().enumerate().filter(|(_, checked)| is_accused(checked));
+        let breach = |place: usize| endings::breach(panel, case, &self.answers, place, is_sound);
+        let again: Vec<(usize, Option<Breach>)> = accused.map(|(place, _)| (place, breach(place))).collect();
+        for (place, breach) in again {
+            if let Some(checked) = self.checked.get_mut(place) {
+                checked.breach = breach;
+            }
+        }
+    }
+
     /// Everything that is wrong, laws and the judge first: a disagreement is often explained by them.
     pub fn findings(&self) -> Vec<Finding> {
         let name = |place: usize| self.answers.get(place).map_or_else(String::new, |answer| answer.oracle.clone());

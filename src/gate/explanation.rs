@@ -4,6 +4,15 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+/// What would explain the wrong answers of an engine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Explained {
+    /// The mistakes that explain most, the best first, and all that do so equally well; empty if none of the catalogue does.
+    pub explanations: Vec<Explanation>,
+    /// What can be read off its numbers, in words.
+    pub signs: Vec<String>,
+}
+
 /// A mistake that explains what is wrong.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Explanation {
@@ -61,6 +70,9 @@ impl fmt::Display for Explanation {
             _ => {}
         }
         f.write_str(")")?;
+        if explained < of {
+            write!(f, "; {} it does not explain", of - explained)?;
+        }
         if self.spoiled > 0 { write!(f, "; but it would spoil {} that are right", self.spoiled) } else { Ok(()) }
     }
 }

@@ -2,9 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::gate::{
-    compare::Disagreement,
-    laws::{Breach, Law},
+use crate::{
+    gate::{
+        compare::Disagreement,
+        laws::{Breach, Law},
+    },
+    measure::observables::Observable,
 };
 
 /// One thing that is wrong with a case: what a red gate has to show.
@@ -74,6 +77,26 @@ impl Finding {
     /// Whether it is an engine that broke, and nothing that is wrong.
     pub fn is_breakdown(&self) -> bool {
         matches!(self, Self::Broke { .. })
+    }
+
+    /// Notes that the errors of this engine are what its user grants it, if it is about one.
+    pub fn grant(&mut self, engine: &str) {
+        if let Self::Refuted { oracle, granted, .. } = self
+            && oracle == engine
+        {
+            *granted = true;
+        }
+    }
+
+    /// Whether it is about how the history ends, or how many impacts it has, and not about their numbers.
+    pub fn is_of_ending(&self) -> bool {
+        match self {
+            Self::Pair { disagreement, .. } | Self::Refuted { disagreement, .. } => {
+                disagreement.observable == Observable::Ending
+            }
+            Self::Law { breach, .. } => breach.law.is_of_ending(),
+            Self::Broke { .. } => false,
+        }
     }
 
     /// Whether another finding is of the same oracles and kind, so that a smaller case with it shows the same problem.

@@ -1,15 +1,15 @@
 //! What must be true of every history by itself.
 
 use contract::{
-    Case, Ending, History, Horizon, Model, Normalisation,
-    conformance::{self, Rule},
+    Case, Ending, History, Horizon, Impact, Model, Normalisation,
+    conformance::{self, Rule, Times},
 };
 use serde::{Deserialize, Serialize};
 
 use crate::{
     gate::{compare::Figure, tolerance},
     measure::{
-        excitation::Excitation,
+        excitation::{Excitation, horizon},
         observables::{Observable, Observed},
     },
 };
@@ -28,6 +28,8 @@ pub enum Law {
     SignAlternates,
     /// The times are the sums of the intervals (Eq. 42).
     TimeIsSum,
+    /// No impact comes after the time up to which the case was to be followed, by more than is claimed.
+    InTime,
     /// Interval ratios tend to `η²` (Eq. 73), at the rate that follows from Eq. 4.
     IntervalRatio,
     /// What an oracle calls rest is still rest when it is asked for more impacts. Tried where the oracles' endings differ.
@@ -40,12 +42,13 @@ pub enum Law {
 
 impl Law {
     /// Every law, in the order in which they are tried.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Answers,
         Self::NotLost,
         Self::Form,
         Self::SignAlternates,
         Self::TimeIsSum,
+        Self::InTime,
         Self::IntervalRatio,
         Self::RestStays,
         Self::OverturnedStays,
@@ -60,10 +63,24 @@ impl Law {
             Self::Form => "the history is well formed",
             Self::SignAlternates => "the sign of the velocity alternates (Eq. 70)",
             Self::TimeIsSum => "times are sums of intervals (Eq. 42)",
+            Self::InTime => "no impact comes after the time that was asked for",
             Self::IntervalRatio => "interval ratios tend to eta^2 at the known rate (Eq. 73)",
             Self::RestStays => "rest stays rest when more impacts are asked for",
             Self::OverturnedStays => "what is overturned does not land again",
             Self::TimeLeft => "what is left after an impact is what the local series says",
+        }
+    }
+
+    /// Whether it is about how a history ends, or how many impacts it has, and not about their numbers.
+    pub fn is_of_ending(self) -> bool {
+        match self {
+            Self::NotLost | Self::InTime | Self::RestStays | Self::OverturnedStays => true,
+            Self::Answers
+            | Self::Form
+            | Self::SignAlternates
+            | Self::TimeIsSum
+            | Self::IntervalRatio
+            | Self::TimeLeft => false,
         }
     }
 }
@@ -90,10 +107,11 @@ pub struct Checked {
     pub left: Option<Figure>,
 }
 
-/// Checks the history of an oracle that solves `model`.
-pub fn check(case: &Case, model: Model, observed: &Observed) -> Checked {
+/// Checks the history of an oracle that solves `model`. One whose times need not be sums is allowed what it claims for them, too.
+pub fn check(case: &Case, model: Model, observed: &Observed, times: Times) -> Checked {
     let history = &observed.history;
-    let mut checked = Checked { breach: form(case, history), ..Checked::default() };
+    let breach = form(case, history, times).or_else(|| in_time(case, history));
+    let mut checked = Checked { breach, ..Checked::default() };
     if checked.breach.is_none() && forcing_is_known(case, model, history) {
         for n in 3..=history.impacts.len() {
             let Some(figure) = interval_ratio(case, observed, n) else { continue };
@@ -114,17 +132,27 @@ pub fn check(case: &Case, model: Model, observed: &Observed) -> Checked {
 }
 
 /// The laws that need no formula of the motion: those of the contract.
-fn form(case: &Case, history: &History) -> Option<Breach> {
+fn form(case: &Case, history: &History, times: Times) -> Option<Breach> {
     if let Ending::Lost(loss) = history.ending {
         return Some(Breach { law: Law::NotLost, impact: history.impacts.len() + 1, how: loss.to_string() });
     }
-    let conformance::Breach { rule, impact, how } = conformance::check_history(case, history).err()?;
+    let conformance::Breach { rule, impact, how } = conformance::check_told(case, history, times).err()?;
     let law = match rule {
         Rule::SignAlternates => Law::SignAlternates,
         Rule::TimeIsSum => Law::TimeIsSum,
         _ => Law::Form,
     };
     Some(Breach { law, impact, how })
+}
+
+/// Impacts after the end of the time that was asked for.
+fn in_time(case: &Case, history: &History) -> Option<Breach> {
+    let end = horizon(case);
+    let latest = end * (1.0 + conformance::TIME_IS_SUM * f64::EPSILON);
+    let is_late = |impact: &Impact| impact.time - impact.uncertainty.time > latest;
+    let (index, late) = history.impacts.iter().enumerate().find(|(_, impact)| is_late(impact))?;
+    let how = format!("time {:?}, to be followed until {end:?} and no further", late.time);
+    Some(Breach { law: Law::InTime, impact: index + 1, how })
 }
 
 /// Whether the forcing at the base is that of the case's own amplitude, and the chattering runs into rest in the first half period.

@@ -144,6 +144,16 @@ impl Outcomes {
         self.cases.iter().map(|outcome| (outcome.case.as_str(), outcome)).collect()
     }
 
+    /// In how many cases anything fails as is known of an engine.
+    pub fn cases_known(&self) -> usize {
+        self.known.len()
+    }
+
+    /// In how many cases this engine fails as is known of it.
+    pub fn cases_known_of(&self, engine: &str) -> usize {
+        self.known.values().filter(|all| all.iter().any(|known| known.oracle == engine)).count()
+    }
+
     /// Known failures of engines that were met in the case of this name.
     pub fn known(&self, name: &str) -> &[KnownHere] {
         self.known.get(name).map_or(&[], Vec::as_slice)

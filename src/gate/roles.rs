@@ -9,6 +9,8 @@ pub struct Roles<'a> {
     pub may_decline: &'a (dyn Fn(&str) -> f64 + Sync),
     /// Whether the errors of the oracle of this name are what its user grants it, and not what it claims: how wide they are says nothing about it.
     pub granted: &'a (dyn Fn(&str) -> bool + Sync),
+    /// Whether the oracle of this name never says that a block comes to rest, as its user has declared: no chattering time of it can be compared.
+    pub never_rests: &'a (dyn Fn(&str) -> bool + Sync),
     /// The command that shows the history of the oracle of this name for a case that is given by flags.
     pub shown_by: &'a (dyn Fn(&str, &str) -> String + Sync),
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use contract::{Case, Estimate, History, Impact, Uncertainty};
 use serde::{Deserialize, Serialize};
 
-use super::identity::Identity;
+use super::{finding::Finding, identity::Identity};
 use crate::cases::generate::Named;
 
 /// What an engine answered to a case.
@@ -19,6 +19,8 @@ pub struct Sample {
     pub answer: Option<History>,
     /// Whether something is wrong with it.
     pub is_wrong: bool,
+    /// Whether all that is wrong with it is how it ends, or how many impacts it has.
+    pub is_ending_wrong: bool,
 }
 
 /// Some answers of an engine. Which are kept depends on the cases alone, not on their order, so that those of the shares of a run add up to those of the whole.
@@ -39,12 +41,14 @@ pub const RIGHT: usize = 20;
 const IMPACTS: usize = 5_000;
 
 impl Samples {
-    /// One answer.
-    pub(super) fn of(named: &Named, answer: &History, is_wrong: bool) -> Self {
+    /// One answer, and what is wrong with it.
+    pub(super) fn of(named: &Named, answer: &History, findings: &[Finding]) -> Self {
+        let is_wrong = !findings.is_empty();
+        let is_ending_wrong = is_wrong && findings.iter().all(Finding::is_of_ending);
         if answer.impacts.len() > IMPACTS {
             return Self::default();
         }
-        let sample = Sample { case: named.case, answer: Some(bare(answer)), is_wrong };
+        let sample = Sample { case: named.case, answer: Some(bare(answer)), is_wrong, is_ending_wrong };
         let kept = BTreeMap::from([(Identity::of(named).hash, sample)]);
         if is_wrong { Self { wrong: kept, ..Self::default() } } else { Self { right: kept, ..Self::default() } }
     }
@@ -90,6 +94,7 @@ mod tests {
 
     use super::*;
     use crate::cases::generate::Generator;
+    use crate::gate::laws::{Breach, Law};
     use crate::stored::{from_line, to_line};
 
     fn named(number: usize) -> Named {
@@ -108,7 +113,10 @@ mod tests {
     fn all(numbers: impl Iterator<Item = usize>) -> Samples {
         let mut samples = Samples::default();
         for number in numbers {
-            samples.add(Samples::of(&named(number), &history(0.1), number % 2 == 0));
+            let breach = Breach { law: Law::NotLost, impact: 1, how: String::new() };
+            let finding = Finding::Law { oracle: "mine".to_owned(), breach };
+            let findings = if number % 2 == 0 { vec![finding] } else { Vec::new() };
+            samples.add(Samples::of(&named(number), &history(0.1), &findings));
         }
         samples
     }

@@ -47,6 +47,13 @@ pub enum Shortfall {
         /// Its name.
         oracle: String,
     },
+    /// An engine for the nonlinear block was asked nothing, for no case has the slenderness that it takes.
+    NotAsked {
+        /// Its name.
+        oracle: String,
+        /// How many cases there were.
+        cases: usize,
+    },
     /// An oracle declined more than it may.
     Declined {
         /// Its name.
@@ -223,7 +230,7 @@ pub fn shortfalls(run: &Run, roles: &Roles) -> (Vec<Shortfall>, Vec<NotJudged>) 
 }
 
 /// In a run of few cases as many declines prove nothing.
-const MOST_DECLINES_OF_FEW: f64 = 10.0;
+pub(super) const MOST_DECLINES_OF_FEW: f64 = 10.0;
 
 #[derive(Default)]
 struct Found {
@@ -254,15 +261,16 @@ fn of_pair(pair: &Pair, roles: &Roles) -> Option<Shortfall> {
     let oracles = pair.oracles.clone();
     // A share of few cases says little, but for all of them.
     let most = if pair.compared >= MANY { tolerance::VACUOUS.value } else { 1.0 };
+    let never_rests = oracles.iter().any(|oracle| (roles.never_rests)(oracle));
     let is_granted = oracles.iter().any(|oracle| (roles.granted)(oracle));
     let too_many = |vacuous: usize, all: usize| vacuous == all || vacuous as f64 > most * all as f64;
     if pair.impacts == 0 {
         Some(Shortfall::NoImpact { oracles })
-    } else if pair.chattering_times == 0 {
+    } else if pair.chattering_times == 0 && !never_rests {
         Some(Shortfall::NoChatteringTime { oracles })
     } else if too_many(pair.vacuous, pair.impacts) {
         Some(Shortfall::InNameOnly { oracles, times: false, vacuous: pair.vacuous, compared: pair.impacts })
-    } else if too_many(pair.vacuous_times, pair.chattering_times) {
+    } else if pair.chattering_times > 0 && too_many(pair.vacuous_times, pair.chattering_times) {
         let (vacuous, compared) = (pair.vacuous_times, pair.chattering_times);
         Some(Shortfall::InNameOnly { oracles, times: true, vacuous, compared })
     } else if pair.compared >= MANY && pair.disagreements == 0 && !is_granted && pair.used().1 < tolerance::USED.value {
@@ -330,6 +338,39 @@ impl Shortfall {
         Verdict::of_shortfall(matches!(self, Self::Interrupted { .. }))
     }
 
+    /// What to do about it; an engine is somebody else's, and what is said of it its author can do.
+    pub fn advice(&self, is_of_engine: bool) -> &'static str {
+        match self {
+            Self::NoChatteringTime { .. } if is_of_engine => {
+                "the engine has to end with \"at-rest\" where infinitely many impacts follow; if it can't, never-at-rest = true in its manifest says so"
+            }
+            Self::Silent { .. } if is_of_engine => "chattercheck engine check says why the engine answers nothing",
+            Self::Declined { .. } if is_of_engine => {
+                "see what it declines above; may-decline in its manifest is the share of a run that it may"
+            }
+            Self::NotAsked { .. } => "give the cases a slenderness: alpha, in radians",
+            Self::NoLongerFails { .. } => "delete the entry that is named",
+            Self::Interrupted { .. } => "run it again to its end",
+            Self::Unaccounted { .. }
+            | Self::NoLongerDiverges { .. }
+            | Self::Crooked { .. }
+            | Self::TooWide { .. }
+            | Self::Recalibrated { .. } => "that is a fault of chattercheck or of its oracles: please report it",
+            Self::Alone
+            | Self::Silent { .. }
+            | Self::Declined { .. }
+            | Self::NoImpact { .. }
+            | Self::NoChatteringTime { .. }
+            | Self::InNameOnly { .. }
+            | Self::Unused { .. }
+            | Self::TooClose { .. }
+            | Self::Unjudged { .. }
+            | Self::NothingCompared => {
+                "ask for more cases (--cases N), or for more judging (--judge all); see what was declined"
+            }
+        }
+    }
+
     /// Without the numbers of a ladder, for tables.
     pub fn in_short(&self) -> String {
         match self {
@@ -341,7 +382,7 @@ impl Shortfall {
     /// The oracles that it is about.
     pub fn oracles(&self) -> Vec<&str> {
         match self {
-            Self::Silent { oracle } | Self::Declined { oracle, .. } => vec![oracle],
+            Self::Silent { oracle } | Self::NotAsked { oracle, .. } | Self::Declined { oracle, .. } => vec![oracle],
             Self::TooWide { oracle, .. } | Self::Recalibrated { oracle, .. } => vec![oracle],
             Self::NoLongerFails { oracle, .. } => vec![oracle],
             Self::NoImpact { oracles }
@@ -375,6 +416,10 @@ impl fmt::Display for Shortfall {
             Self::Silent { oracle } => {
                 write!(f, "{oracle} answered no case: a gate where everything is declined proves nothing")
             }
+            Self::NotAsked { oracle, cases } => write!(
+                f,
+                "{oracle} was asked nothing: none of {cases} cases has a slenderness, which its model needs; give them one, as alpha = 0.2"
+            ),
             Self::Declined { oracle, declined, cases, allowed } => {
                 write!(f, "{oracle} declined {declined} of {cases} cases, {allowed:.0} expected at the most")
             }

@@ -37,6 +37,10 @@ pub fn shrink(panel: &[&dyn Oracle], judges: &Judges, case: &Case, finding: &Fin
     let concerned: Vec<&dyn Oracle> = concerned(panel, finding);
     let fails = |case: &Case| {
         let examination = match finding {
+            // Who bears witness that a block lands again may be refuted.
+            Finding::Law { breach, .. } if breach.law == Law::OverturnedStays => {
+                examine_and_judge(&concerned, judges, case, true)
+            }
             Finding::Refuted { .. } => examine_and_judge(&concerned, judges, case, true),
             Finding::Law { .. } if finding.breaks(Law::TimeLeft) => examine_and_judge(&concerned, judges, case, false),
             Finding::Pair { .. } | Finding::Law { .. } | Finding::Broke { .. } => examine(&concerned, case),

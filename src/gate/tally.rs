@@ -148,7 +148,7 @@ impl Tally {
             let is_known = |finding: &Finding| guests.known.iter().any(|known| known.excuses(&named.case, finding));
             // What is known to be wrong says nothing about what else is.
             if findings.is_empty() || !findings.iter().all(is_known) {
-                let samples = Samples::of(named, &observed.history, !findings.is_empty());
+                let samples = Samples::of(named, &observed.history, &findings);
                 self.samples.insert(answer.oracle.clone(), samples);
             }
         }

@@ -20,7 +20,9 @@ pub(super) fn section(report: &Report) -> Markup {
 }
 
 fn card(of: &EngineReport, report: &Report) -> Markup {
-    let EngineReport { engine, answered, declined, broke, wrong, verdict, profile: of_engine, explanations } = of;
+    let EngineReport {
+        engine, answered, declined, broke, wrong, verdict, profile: of_engine, explanations, signs, ..
+    } = of;
     let Engine { name, says, receipt, .. } = engine;
     let right = answered.saturating_sub(*wrong);
     html! {
@@ -32,7 +34,7 @@ fn card(of: &EngineReport, report: &Report) -> Markup {
                 div {
                     @if let Some(found) = explanations {
                         h4 { "What would explain it" }
-                        ul .explained { @for line in explained(found) { li { (line) } } }
+                        ul .explained { @for line in explained(found).iter().chain(signs) { li { (line) } } }
                     }
                     (facts(of, report))
                 }
@@ -44,7 +46,7 @@ fn card(of: &EngineReport, report: &Report) -> Markup {
 
 /// What it answered and what it is allowed.
 fn facts(of: &EngineReport, report: &Report) -> Markup {
-    let EngineReport { engine, answered, declined, broke, wrong, .. } = of;
+    let EngineReport { engine, answered, declined, not_asked, broke, known, wrong, .. } = of;
     let Engine { name, claims, granted, .. } = engine;
     let reasons = |of: Option<&BTreeMap<String, usize>>| {
         let said = of.into_iter().flatten().map(|(reason, count)| format!("{count} {reason}"));
@@ -52,7 +54,9 @@ fn facts(of: &EngineReport, report: &Report) -> Markup {
     };
     html! {
             dl {
-                dt { "answered" } dd { (answered) " cases, " (wrong) " of them wrong" }
+                dt { "answered" }
+                dd { (answered) " cases, " (wrong) " of them wrong" @if *known > 0 { ", " (known) " wrong as is known" } }
+                @if *not_asked > 0 { dt { "not asked" } dd { (not_asked) ", for they have no slenderness (alpha)" } }
                 @if *declined > 0 { dt { "declined" } dd { (reasons(report.declines.get(name))) } }
                 @if *broke > 0 { dt { "broke" } dd { (reasons(report.broke.get(name))) } }
                 dt { "errors" }

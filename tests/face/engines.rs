@@ -117,9 +117,16 @@ fn what_is_wrong_is_said_in_words() {
         ),
         (
             answering(r#""decline":{"reason":"on holiday"}"#),
-            "",
-            0,
-            &["hint  rest      declines an easy case", "on holiday", "hint  receipt"],
+            "tolerance = { interval = 1e-9, reason = \"mine\" }",
+            4,
+            &[
+                "hint  rest      declines an easy case",
+                "on holiday (of a run it may decline 0.5: may-decline)",
+                "hint  receipt",
+                "hint  errors    it claims none, and the manifest's tolerance leaves out time and velocity",
+                "NONE  answers   none of the easy cases was answered",
+                "next: let it answer one",
+            ],
         ),
         (
             "echo cannot find libm.so >&2; exit 3".to_owned(),
@@ -201,7 +208,9 @@ fn faulty(folder: &Path, how: &str, more: &str) {
                 if fault(\"crash\") && eta > 0.975 { eprintln!(\"eta is too large\"); std::process::exit(9) }",
         );
         let text = text.replace("<= 10.0 =>", "<= 10.0 && !fault(\"decline\") =>");
-        assert_eq!(text.matches("fault(").count(), 3);
+        let text = text.replace("PI / omega)", "PI / omega) * if fault(\"period\") { 2.0 } else { 1.0 }");
+        let text = text.replace("change < 0.1 * weakest", "change < 0.1 * weakest && !fault(\"restless\")");
+        assert_eq!(text.matches("fault(").count(), 5);
         fs::write(folder.join("faulty.rs"), text + fault).unwrap();
         let built = Command::new("rustc").args(["-O", "faulty.rs"]).current_dir(folder).status().unwrap();
         assert!(built.success());
@@ -264,6 +273,7 @@ fn an_engine_is_put_under_the_gate() {
     }
     assert_eq!(report(folder)["engines"][0]["verdict"], "fail");
     // The case is made small, and shows the same when it is run again.
+    assert!(err.contains(", granted ") && !err.contains(", claimed "), "{err}");
     let again = err.lines().find_map(|line| line.split_once("run again: chattercheck ")).unwrap().1;
     let (status, out, _) = chattercheck(folder, again);
     assert_eq!(status, 1);
@@ -277,6 +287,7 @@ fn an_engine_is_put_under_the_gate() {
     assert_eq!(status, 3, "{out}");
     for words in [
         "UNDECIDED: mine broke in ",
+        "\nUNDECIDED ",
         "broke        mine: ",
         "mine BROKE: crashed: exit status 9; its error output ends with \"eta is too large\"",
         "next: mend what broke the engine",
@@ -295,6 +306,89 @@ fn an_engine_is_put_under_the_gate() {
     assert!(out.contains("SHORTFALL: mine answered no case"), "{out}");
 }
 
+/// Who follows the block for longer than was asked for answers another question, at the first look and in the gate.
+#[test]
+fn impacts_after_the_end_of_the_time_are_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    faulty(folder, "period", "");
+    let (status, out, _) = chattercheck(folder, "engine check engines.toml");
+    assert_eq!(status, 1, "{out}");
+    assert!(out.contains("WRONG rocking") && out.contains("ok    rest"), "{out}");
+    let case = "[[case]]\nname = \"incomplete\"\na = 1.06\nomega = 2\neta = 0.92\nimpacts = 12\n";
+    fs::write(folder.join("case.toml"), case).unwrap();
+    let run = "verify --engines engines.toml --quiet --cases 0 --case-file case.toml";
+    let (status, out, _) = chattercheck(folder, run);
+    assert_eq!(status, 1, "{out}");
+    for words in [
+        "mine breaks \"no impact comes after the time that was asked for\" at impact 10: time 2.",
+        "mine is WRONG on ending, first at impact 10",
+        "right to impact 9,",
+        "endings: 0 of 1 right",
+    ] {
+        assert!(out.contains(words), "no {words:?} in:\n{out}");
+    }
+    faulty(folder, "none", "");
+    assert_eq!(chattercheck(folder, run).0, 0);
+}
+
+/// An engine that can't know that a block comes to rest may say so in its manifest; else it is told at the first look.
+#[test]
+fn an_engine_that_never_concludes_rest_is_told_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (manifest, is_told) in [("", true), ("never-at-rest = true\n", false)] {
+        faulty(folder, "restless", manifest);
+        let (status, out, _) = chattercheck(folder, "engine check engines.toml");
+        assert_eq!((status, out.contains("never-at-rest = true in the manifest says so")), (0, is_told), "{out}");
+        let (status, out, _) = verify(folder, "");
+        let short =
+            ["closed-form and mine: no chattering time was compared", "next: the engine has to end with \"at-rest\""];
+        assert_eq!(status, i32::from(is_told), "{out}");
+        assert!(short.iter().all(|short| out.contains(short) == is_told), "{out}");
+    }
+}
+
+/// What nearly anything would have passed is said not to have been compared, in a short run too.
+#[test]
+fn a_wide_tolerance_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("case.toml"), "[[case]]\nname = \"one\"\na = 1.03\nomega = 2\neta = 0.92\n").unwrap();
+    let run = "verify --engines engines.toml --quiet --cases 0 --case-file case.toml";
+    for (how, is_told) in [("none", false), ("eta", true)] {
+        faulty(folder, how, "");
+        let manifest = fs::read_to_string(folder.join("engines.toml")).unwrap();
+        let wide = if is_told { manifest.replace("interval = 1e-10", "interval = 0.3") } else { manifest };
+        fs::write(folder.join("engines.toml"), wide.replace("velocity = 1e-10", "velocity = 1e-3")).unwrap();
+        let (status, out, _) = chattercheck(folder, run);
+        assert_eq!((status, out.contains("in name only ")), (0, is_told), "{out}");
+    }
+}
+
+/// Cases that an engine can't be asked are no refusals of it: what they lack is said.
+#[test]
+fn a_case_without_a_slenderness_is_not_declined_by_the_engine() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let script = answering(r#""decline":{"reason":"on holiday"}"#).replace(r#"["linear"]"#, r#"["nonlinear"]"#);
+    shell(folder, &script, "");
+    let manifest = fs::read_to_string(folder.join("engines.toml")).unwrap();
+    fs::write(folder.join("engines.toml"), manifest.replace("\"linear\"", "\"nonlinear\"")).unwrap();
+    fs::write(folder.join("case.toml"), "[[case]]\nname = \"bare\"\na = 1.06\nomega = 2\neta = 0.92\n").unwrap();
+    let (status, out, _) =
+        chattercheck(folder, "verify --engines engines.toml --quiet --cases 0 --case-file case.toml");
+    assert_eq!(status, 1, "{out}");
+    for words in [
+        "0 cases answered, 1 not asked, for they have no slenderness (alpha)",
+        "SHORTFALL: mine was asked nothing: none of 1 cases has a slenderness",
+        "give the cases a slenderness: alpha",
+    ] {
+        assert!(out.contains(words), "no {words:?} in:\n{out}");
+    }
+    assert!(!out.contains("1 declined"), "{out}");
+}
+
 /// A known failure turns no run red, until it no longer fails: then the line to delete is named.
 #[test]
 fn known_failures_are_strict() {
@@ -305,6 +399,15 @@ fn known_failures_are_strict() {
     let (_, out, _) = verify(folder, "");
     assert!(out.contains("known        mine: velocity: failed in"), "{out}");
     assert!(!out.contains("mine is WRONG on velocity"), "{out}");
+    // A run that is green but for what is known says so at its head.
+    fs::write(folder.join("case.toml"), "[[case]]\nname = \"one\"\na = 1.03\nomega = 2\neta = 0.92\n").unwrap();
+    let one = "verify --engines engines.toml --quiet --cases 0 --case-file case.toml --summary summary.md";
+    let (status, out, _) = chattercheck(folder, one);
+    assert_eq!(status, 0, "{out}");
+    assert!(out.starts_with("PASS: 2 oracles agree on 0 of 1 cases; 1 fail as is known"), "{out}");
+    assert!(out.contains("PASS, 1 cases answered, 1 wrong as is known"), "{out}");
+    let summary = fs::read_to_string(folder.join("summary.md")).unwrap();
+    assert!(summary.contains("| **PASS** | 1 | 0 | 1 | 0 | 0 |"), "{summary}");
     faulty(folder, "none", known);
     let (status, out, _) = verify(folder, "");
     assert_eq!(status, 1, "{out}");
@@ -330,7 +433,7 @@ fn an_engine_that_does_not_start_leaves_no_verdict() {
         ("--record -", "record = - is outside the allowed range: a file"),
         (
             "--record ./engines.toml",
-            "record = ./engines.toml is outside the allowed range: another file than the one that is read",
+            "record = ./engines.toml is outside the allowed range: it has to be another file than one that is read",
         ),
     ] {
         let arguments = format!(

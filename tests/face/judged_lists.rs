@@ -27,7 +27,7 @@ fn simulated(arguments: &str) -> String {
 fn what_simulate_prints_is_right_where_it_is_and_wrong_from_where_it_goes_wrong() {
     let list = simulated(CASE);
     let (status, text, note) = judge(CASE, &list);
-    assert_eq!((status, text.lines().next()), (0, Some("RIGHT: all 60 impacts")));
+    assert_eq!((status, text.lines().next()), (0, Some("RIGHT: all 60 impacts, within 0.001 of an interval")));
     assert!(note.contains("not looked at: n, interval, sign"), "{note}");
     let (status, text, _) = judge("--a 1.031 --omega 2 --eta 0.92", &list);
     assert!(status == 1 && text.starts_with("WRONG at impact 1: "), "{text}");

@@ -246,6 +246,8 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("verify --list", "--responses 3", Refused(&["--list", "--responses"])),
         ("verify --list", "--oracles ode", Refused(&["--list", "--oracles"])),
         ("verify --list", "--engines none.toml", Refused(&["--list", "--engines"])),
+        ("verify --list", "--only mine", Refused(&["--list", "--only"])),
+        ("verify --list", "--record talk.jsonl", Refused(&["--list", "--record"])),
         ("verify --list", "--json -", Refused(&["--list", "--json"])),
         ("verify --list", "--junit -", Refused(&["--list", "--junit"])),
         ("verify --list", "--replays none", Refused(&["--list", "--replays"])),

@@ -111,8 +111,9 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
 fn a_share_without_anything_in_it_ran_nothing() {
     let folder = folder();
     for list in ["", "--list"] {
-        let (status, out, _) =
+        let (status, out, err) =
             chattercheck(folder.path(), &format!("verify --cases 0 --case-file mine.toml --partition 3/3 {list}"));
-        assert_eq!((status, out.as_str()), (4, ""), "{list}");
+        assert_eq!((status, out.as_str(), err.lines().count()), (4, "", 1), "{list}");
+        assert!(err.contains("nothing of the run falls to part 3/3"), "{err}");
     }
 }

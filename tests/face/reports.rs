@@ -34,19 +34,43 @@ fn github_is_told_what_is_wrong_and_obeys_nothing_else() {
     assert_eq!(out, summary, "on stdout, in place of the text");
 }
 
-/// A report over what is read, or over another file of the run, would be the end of it.
+/// A report or a record over what is read, or over another file of the run, would be the end of it: the manifest, the cases, the files that an engine is made of.
 #[test]
 fn no_report_is_written_over_another_file_of_the_run() {
     let folder = tempfile::tempdir().unwrap();
-    let manifest = "[[engine]]\nname = \"mine\"\nrun = [\"sh\"]\nmodel = \"linear\"\n";
-    fs::write(folder.path().join("engines.toml"), manifest).unwrap();
-    for option in ["json", "junit", "html", "summary"] {
-        for (file, words) in [("./engines.toml", "the one that is read"), ("talk.jsonl", "that of --record")] {
-            let run = format!("verify --quiet --engines engines.toml --record talk.jsonl --{option} {file}");
-            let (status, out, err) = chattercheck(folder.path(), &run);
-            assert_eq!((status, out.as_str(), err.lines().count()), (2, "", 1), "{err}");
-            assert!(err.contains(&format!("{option} = {file}")) && err.contains(words), "{err}");
+    let manifest = "[[engine]]\nname = \"mine\"\nrun = [\"sh\", \"engine.sh\"]\nversion = { command = [\"sh\", \"version.sh\"] }\n\
+                    model = \"linear\"\n";
+    let case = "[[case]]\nname = \"one\"\na = 1.03\nomega = 2\neta = 0.92\n";
+    let read = [
+        ("engines.toml", manifest),
+        ("case.toml", case),
+        ("other.toml", &case.replace("one", "other")),
+        ("engine.sh", "exit 5"),
+        ("version.sh", "echo 1"),
+    ];
+    for (file, text) in read {
+        fs::write(folder.path().join(file), text).unwrap();
+    }
+    let run = "verify --quiet --engines engines.toml --cases 0 --case-file case.toml --case-file other.toml";
+    let refused = |option: &str, file: &str, record: &str, words: &str| {
+        let (status, out, err) = chattercheck(folder.path(), &format!("{run} {record} --{option} {file}"));
+        assert_eq!((status, out.as_str(), err.lines().count()), (2, "", 1), "{option} {file}: {err}");
+        assert!(err.contains(&format!("{option} = {file}")) && err.contains(words), "{err}");
+    };
+    for option in ["json", "junit", "html", "summary", "record"] {
+        for (file, _) in read {
+            refused(option, &format!("./{file}"), "", "another file than one that is read");
         }
     }
-    assert_eq!(fs::read_to_string(folder.path().join("engines.toml")).unwrap(), manifest);
+    for option in ["json", "junit", "html", "summary"] {
+        refused(option, "talk.jsonl", "--record talk.jsonl", "another file than that of --record");
+    }
+    for (file, text) in read {
+        assert_eq!(fs::read_to_string(folder.path().join(file)).unwrap(), text, "{file}");
+    }
+    // The tables of the charts have the names that rows of peers may have.
+    fs::write(folder.path().join("peers.csv"), "").unwrap();
+    let (status, _, err) = chattercheck(folder.path(), "chart --only work-precision --out . --peers peers.csv");
+    assert_eq!(status, 2);
+    assert!(err.contains("peers = peers.csv is outside the allowed range: a file outside of --out"), "{err}");
 }

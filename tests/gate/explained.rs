@@ -12,7 +12,7 @@ use chattercheck::{
     gate::samples::Sample,
     panel,
 };
-use contract::{History, Model};
+use contract::{Case, Ending, History, Model};
 use process::{Engine, Launch};
 
 use super::effort;
@@ -42,7 +42,7 @@ fn what_is_no_mistake_of_the_catalogue_is_not_explained() {
         let sample = |named: &chattercheck::cases::generate::Named| {
             let mut history = stepper.history(&named.case).ok();
             history.iter_mut().for_each(change);
-            Sample { case: named.case, answer: history, is_wrong: true }
+            Sample { case: named.case, answer: history, is_wrong: true, is_ending_wrong: false }
         };
         explain(&cases.iter().map(sample).collect::<Vec<_>>(), Model::Linear)
     };
@@ -51,4 +51,38 @@ fn what_is_no_mistake_of_the_catalogue_is_not_explained() {
     };
     assert_eq!(by(wiggles), []);
     assert_eq!(by(|_| ()), []);
+}
+
+/// Answers as the stepper gives them to another question.
+fn answered(case: Case, asked: Case, is_wrong: bool) -> Sample {
+    Sample { case, answer: panel::stepper().history(&asked).ok(), is_wrong, is_ending_wrong: false }
+}
+
+fn case(epsilon: f64, eta: f64) -> Case {
+    Case::from_epsilon(epsilon, 2.0, eta).unwrap().with_max_impacts(24).unwrap()
+}
+
+/// A mistake that does nothing in a case explains nothing there, also where the engine says more about the end than it has to.
+#[test]
+fn what_does_not_act_does_not_explain() {
+    let lost = |epsilon: f64| {
+        let mut sample = answered(case(epsilon, 0.92), case((1.0 + epsilon) - 1.0, 0.92), true);
+        sample.answer.iter_mut().for_each(|history| history.ending = Ending::AtRest);
+        sample
+    };
+    let found = explain(&[1e-12, 3e-12, 7e-11, 2e-10].map(lost), Model::Linear);
+    let named: Vec<&str> = found.iter().map(|found| found.fault.as_str()).collect();
+    assert_eq!(named, ["a - 1 from a"], "{found:?}");
+    assert!(found[0].explained == 4 && found[0].left < 1e-12, "{found:?}");
+}
+
+/// What explains all that is wrong and would spoil what is right is no explanation.
+#[test]
+fn what_spoils_right_answers_is_not_named() {
+    let mut samples =
+        [0.01, 0.02, 0.03].map(|epsilon| answered(case(epsilon, 0.9), case(epsilon, 0.9009), true)).to_vec();
+    let named = |samples: &[Sample]| explain(samples, Model::Linear).first().map(|found| found.fault.clone());
+    assert_eq!(named(&samples).as_deref(), Some("eta is off"));
+    samples.extend([0.8, 0.85, 0.95].map(|eta| answered(case(0.01, eta), case(0.01, eta), false)));
+    assert_eq!(named(&samples), None);
 }

@@ -104,7 +104,7 @@ pub fn mixed(name: &str) -> Mixed {
         granted,
     };
     let roles = Roles { may_decline: &|_| 1.0, ..panel::roles() };
-    let report = Report::new(&run, &roles).with_engines(vec![engine], &run.tally);
+    let report = Report::new(&run, &roles).with_engines(vec![engine], &run);
     Mixed { report, cases, outcomes: run.outcomes }
 }
 

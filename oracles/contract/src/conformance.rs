@@ -63,6 +63,23 @@ pub const TIME_IS_SUM: f64 = 4.0;
 /// # Errors
 /// The first breach.
 pub fn check_history(case: &Case, history: &History) -> Result<(), Breach> {
+    check_told(case, history, Times::AreSums)
+}
+
+/// How an oracle gets its times ([`Oracle::times`]).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Times {
+    /// It adds its intervals up: the times are off their sums by roundings only, whatever else is claimed for them.
+    AreSums,
+    /// They may come from elsewhere, as from a clock, or have been printed to fewer digits: each may be off by what is claimed for it.
+    AreClaimed,
+}
+
+/// The same, where the times are got in this way.
+///
+/// # Errors
+/// The first breach.
+pub fn check_told(case: &Case, history: &History, times: Times) -> Result<(), Breach> {
     let (listed, ending) = (history.impacts.len(), history.ending);
     if listed > case.max_impacts() {
         return breach(Rule::Form, 0, format!("{listed} impacts listed, {} asked", case.max_impacts()));
@@ -79,7 +96,7 @@ pub fn check_history(case: &Case, history: &History) -> Result<(), Breach> {
             format!("{ending}, but the case does not have that limit after {listed} impacts"),
         );
     }
-    let mut before = 0.0;
+    let (mut before, mut unsure) = (0.0, 0.0);
     for (n, impact) in (1..).zip(&history.impacts) {
         let claims = [impact.uncertainty.time, impact.uncertainty.interval, impact.uncertainty.velocity];
         if claims.iter().any(|claim| claim.is_nan() || *claim < 0.0) {
@@ -92,12 +109,17 @@ pub fn check_history(case: &Case, history: &History) -> Result<(), Breach> {
         if impact.velocity.is_nan() || impact.velocity * sign <= 0.0 {
             return breach(Rule::SignAlternates, n, format!("velocity {:?}, expected sign {sign:+}", impact.velocity));
         }
-        let allowed = TIME_IS_SUM * f64::EPSILON * impact.time + impact.uncertainty.interval * impact.interval;
+        let of_times = match times {
+            Times::AreSums => 0.0,
+            Times::AreClaimed => unsure + impact.uncertainty.time,
+        };
+        let of_interval = impact.uncertainty.interval * impact.interval;
+        let allowed = TIME_IS_SUM * f64::EPSILON * impact.time + of_interval + of_times;
         let off = (impact.time - before - impact.interval).abs();
         if off.is_nan() || off > allowed {
             return breach(Rule::TimeIsSum, n, format!("off by {off:.3e}, allowed {allowed:.3e}"));
         }
-        before = impact.time;
+        (before, unsure) = (impact.time, impact.uncertainty.time);
     }
     Ok(())
 }

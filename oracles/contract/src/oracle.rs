@@ -1,7 +1,10 @@
 use alloc::{boxed::Box, string::String, vec::Vec};
 use core::fmt;
 
-use crate::{Body, Bout, Case, Closure, FlightSolver, Followed, History, Motion, Sensitivity, SlendernessShift};
+use crate::{
+    Body, Bout, Case, Closure, FlightSolver, Followed, History, Motion, Sensitivity, SlendernessShift,
+    conformance::Times,
+};
 
 /// One method that turns a case into an impact history.
 ///
@@ -19,6 +22,11 @@ pub trait Oracle: Send + Sync {
     /// A [`Decline`] when the oracle cannot do this case. Losing the sequence half-way is not a decline but
     /// [`Ending::Lost`](crate::Ending::Lost).
     fn history(&self, case: &Case) -> Result<History, Decline>;
+
+    /// How it gets its times: whether they are held to be the sums of its intervals, as those of a method of this house are.
+    fn times(&self) -> Times {
+        Times::AreSums
+    }
 
     /// Told which cases are asked next, before they are. An oracle that answers many at once faster than one by one does that here and remembers
     /// the answers; what it remembered before it may forget. The others have nothing to do.

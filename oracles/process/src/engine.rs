@@ -8,7 +8,7 @@ use std::{
     },
 };
 
-use contract::{Case, Decline, History, Model, Oracle};
+use contract::{Case, Decline, History, Model, Oracle, conformance::Times};
 
 use crate::{
     answer::{Answer, Outcome},
@@ -175,6 +175,12 @@ impl Oracle for Engine {
 
     fn model(&self) -> Model {
         self.launch().model
+    }
+
+    /// One that claims errors is taken at its word as any oracle is. Of another, what its user grants it for a time is all that is said of it: it may have a
+    /// clock of its own, or print few digits.
+    fn times(&self) -> Times {
+        if self.welcome().claims { Times::AreSums } else { Times::AreClaimed }
     }
 
     fn history(&self, case: &Case) -> Result<History, Decline> {

@@ -16,7 +16,7 @@ use crate::cli::{Status, output::Format};
 
 /// Start every engine of a manifest, and see whether it says what it has to and is right on easy cases
 ///
-/// Exit status 1: an answer is wrong; 3: an engine broke.
+/// Exit status 1: an answer is wrong; 3: an engine broke; 4: one declined every easy case, so that nothing is known of it.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The manifest, see the chapter on engines in the guide
@@ -53,6 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     arguments.format.print(&seen, |seen| text(seen, &file))?;
     Ok(match seen.iter().map(worst).max().unwrap_or(Mark::Well) {
         Mark::Well | Mark::Hint => Status::Well,
+        Mark::Nothing => Status::Nothing,
         Mark::Wrong => Status::Disagreed,
         Mark::Broke => Status::Failed,
     })
@@ -70,6 +71,7 @@ fn text(all: &[Seen], file: &str) -> String {
             let mark = match mark {
                 Mark::Well => "ok",
                 Mark::Hint => "hint",
+                Mark::Nothing => "NONE",
                 Mark::Wrong => "WRONG",
                 Mark::Broke => "BROKE",
             };
@@ -81,9 +83,10 @@ fn text(all: &[Seen], file: &str) -> String {
             Mark::Well | Mark::Hint => {
                 format!("next: chattercheck verify --engines {file} --only {name} --cases 50")
             }
-            Mark::Wrong => {
-                format!("next: see its answers with chattercheck engine ask {name} --engines {file} and the case")
-            }
+            Mark::Nothing => "next: let it answer one of these cases".to_owned(),
+            Mark::Wrong => format!(
+                "next: see its answers with chattercheck engine ask {name} --engines {file} and the flags of the case"
+            ),
             Mark::Broke => format!("next: mend that; chattercheck engine ask {name} --engines {file} shows the talk"),
         });
     }

@@ -37,11 +37,11 @@ impl Drawings {
     ///
     /// # Errors
     /// When one can't be, or is among those that are `taken`.
-    pub fn check(&self, taken: &[(&'static str, Option<&Path>)]) -> anyhow::Result<Files> {
+    pub fn check(&self, taken: &[(&'static str, &Path)]) -> anyhow::Result<Files> {
         let option = |name, beside, path| FileOption { name, beside, path };
         let options = [
-            (Content::Svg, option("svg", "another file than that of --svg", self.svg.as_deref())),
-            (Content::Html, option("html", "another file than that of --html", self.html.as_deref())),
+            (Content::Svg, option("svg", "it has to be another file than that of --svg", self.svg.as_deref())),
+            (Content::Html, option("html", "it has to be another file than that of --html", self.html.as_deref())),
         ];
         Ok(Files(targets(options, taken)?))
     }

@@ -264,10 +264,9 @@ impl Arguments {
             scene::Ground::Shaking(shaking) => shaking.file.as_deref(),
             scene::Ground::Sinusoid(_) => None,
         };
-        let files = self.drawings.check(&[
-            ("another file than the scene", Some(&self.scene)),
-            ("another file than the record of the scene", record),
-        ])?;
+        let scene = ("it has to be another file than the scene", self.scene.as_path());
+        let record = record.map(|record| ("it has to be another file than the record of the scene", record));
+        let files = self.drawings.check(&[scene].into_iter().chain(record).collect::<Vec<_>>())?;
         if let (Some(format), true) = (self.format, files.take_stdout()) {
             let name = format.to_possible_value();
             let name = name.as_ref().map_or("", PossibleValue::get_name);

@@ -106,6 +106,23 @@ fn what_is_wrong_is_said_with_its_line() {
             "run = [\"sh\"]\nknown = [{ class = \"interval\", where = { eta = [1.0, 0.9] }, reason = \"r\" }]",
             "line 5: where: allowed is a range",
         ),
+        ("run = [\"sh\"]\nknown = [\n{ class = \"interval\" }]", "line 6: known: it needs a reason"),
+        (
+            "run = [\"sh\"]\nknown = [\n{ class = \"interval\", reason = \"r\" },\n{ class = \"interval\", reason = \"q\" }]",
+            "line 7: known: the same class",
+        ),
+        (
+            "run = [\"sh\"]\nknown = [{ class = \"interval\", within = 0, reason = \"r\" }]",
+            "line 5: within: allowed is",
+        ),
+        (
+            "run = [\"sh\"]\nknown = [{ class = \"interval\", where = { impact = [1.5, 4] }, reason = \"r\" }]",
+            "line 5: where: impact is a range of whole numbers",
+        ),
+        (
+            "run = [\"sh\"]\nknown = [{ class = \"interval\", where = { eta = [1.5, 2.0] }, reason = \"r\" }]",
+            "line 5: where: no case has eta from 1.5 to 2",
+        ),
         ("", "run is missing"),
     ] {
         let told = told(lines);

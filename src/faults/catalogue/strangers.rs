@@ -53,6 +53,11 @@ fn words() -> Vec<Fault> {
 fn others() -> Vec<Fault> {
     vec![
         whole(
+            "a - 1 from a",
+            "a - 1 were computed from the amplitude a in double precision, which has lost the digits of a - 1 by then",
+            Question(|case, _| parameters::with(case, case.amplitude() - 1.0, case.omega(), case.eta())),
+        ),
+        whole(
             "the series for the motion",
             "the paper's series to its order, with which Eq. 65 is made, were the motion itself",
             Instead(|| panel::one(SERIES, &Settings::default(), "linear").unwrap_or_else(|_| panel::stepper())),
@@ -92,6 +97,7 @@ fn slender() -> Vec<Fault> {
 }
 
 fn in_g(case: &Case, _: f64) -> Result<Case, Invalid> {
-    let tangent = case.slenderness().map_or(1.0, |slenderness| slenderness.alpha().tan());
-    parameters::with(case, case.amplitude() / tangent - 1.0, case.omega(), case.eta())
+    // Without a slenderness there is no such mistake, nor a rounding of it.
+    let Some(slenderness) = case.slenderness() else { return Ok(*case) };
+    parameters::with(case, case.amplitude() / slenderness.alpha().tan() - 1.0, case.omega(), case.eta())
 }

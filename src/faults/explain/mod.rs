@@ -1,11 +1,12 @@
 //! What mistake would explain the answers of an engine: the faults of the catalogue as hypotheses.
 //!
 //! Each is planted in an honest oracle, its size is fitted to what the engine answered, and it explains a case if with it the deviation falls to a thousandth
-//! of what it was, or the ending, the count and the sides now match. A fault that would spoil what the engine has right is none.
+//! of what it was, or the ending, the count and the sides now match that contradicted the truth. A fault that would spoil what the engine has right is none.
 
 mod deviation;
 mod fit;
 mod hypothesis;
+mod signs;
 
 use contract::Model;
 use rayon::prelude::*;
@@ -13,13 +14,13 @@ use rayon::prelude::*;
 use super::Size;
 use crate::{
     gate::{
-        explanation::{Explanation, FaultSize},
+        explanation::{Explained, Explanation, FaultSize},
         samples::Sample,
         tally::Tally,
     },
     panel,
 };
-use deviation::deviation;
+use deviation::Held;
 use hypothesis::Hypothesis;
 
 /// How far the size that fits is from that of the real mistake, as a factor.
@@ -41,6 +42,8 @@ fn are_equal(one: &Explanation, two: &Explanation) -> bool {
 /// As many wrong cases are explained at the most, and as many right ones must not be spoiled.
 const WRONG: usize = 40;
 const RIGHT: usize = 20;
+/// The share of the right ones that a fault may spoil, where the size that fits is not quite that of the mistake; that it does is said.
+const MAY_SPOIL: f64 = 0.1;
 /// The size of a fault is looked for in the first of them, most sizes are rejected by fewer.
 const SOME: usize = 16;
 const FEW: usize = 4;
@@ -51,11 +54,11 @@ const IMPACTS: usize = 6_000;
 /// named, the one whose size is most like that of the real mistake first.
 pub fn explain(samples: &[Sample], model: Model) -> Vec<Explanation> {
     let stepper = panel::stepper_of(model);
-    let with_deviation = |wrong: bool, most: usize| -> Vec<(f64, &Sample)> {
-        let of = |sample| (deviation(sample, stepper.history(&sample.case).ok().as_ref()), sample);
-        chosen(samples, wrong, most).into_iter().map(of).collect()
+    let held = |wrong: bool, most: usize| -> Vec<Held> {
+        let of = |sample: &Sample| stepper.history(&sample.case).ok();
+        chosen(samples, wrong, most).into_iter().map(|sample| Held::new(sample, of(sample).as_ref())).collect()
     };
-    let (wrong, right) = (with_deviation(true, WRONG), with_deviation(false, RIGHT));
+    let (wrong, right) = (held(true, WRONG), held(false, RIGHT));
     if wrong.is_empty() {
         return Vec::new();
     }
@@ -91,18 +94,20 @@ fn chosen(samples: &[Sample], is_wrong: bool, most: usize) -> Vec<&Sample> {
 }
 
 /// What would explain the wrong answers of the guest of this name, of those that a run has kept; `None` if there is none.
-pub fn for_guest(name: &str, model: Model, tally: &Tally) -> Option<Vec<Explanation>> {
+pub fn for_guest(name: &str, model: Model, tally: &Tally) -> Option<Explained> {
     let samples = tally.samples(name).filter(|samples| samples.has_wrong())?;
-    Some(explain(&samples.all().cloned().collect::<Vec<_>>(), model))
+    let samples: Vec<Sample> = samples.all().cloned().collect();
+    Some(Explained { explanations: explain(&samples, model), signs: signs::signs(&samples) })
 }
 
 /// What a hypothesis explains, of samples with their deviations from the truth, at the size that fits best, if that is most; and whether that size is plausible.
-fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Sample)]) -> Option<(Explanation, bool)> {
-    let left_at = |size: f64, sample: &Sample| deviation(sample, hypothesis.at(size, &sample.case).as_ref());
+fn judge(hypothesis: &Hypothesis, wrong: &[Held], right: &[Held]) -> Option<(Explanation, bool)> {
+    let left_at = |size: f64, held: &Held| held.off(hypothesis.at(size, &held.sample.case).as_ref());
     let some = wrong.get(..SOME).unwrap_or(wrong);
-    let scored_on = |size: f64, wrong: &[(f64, &Sample)]| {
-        let left = wrong.iter().map(|(before, sample)| (*before, left_at(size, sample)));
-        let mut left: Vec<f64> = left.filter(|(before, left)| explains(*before, *left)).map(|(_, left)| left).collect();
+    let scored_on = |size: f64, wrong: &[Held]| {
+        let left = wrong.iter().map(|held| (held, left_at(size, held)));
+        let mut left: Vec<f64> =
+            left.filter(|(held, left)| held.is_explained(*left)).map(|(_, left)| left.whole).collect();
         left.sort_by(f64::total_cmp);
         let middle = left.get(left.len() / 2).copied().unwrap_or(f64::INFINITY);
         (size, left.len(), middle)
@@ -116,7 +121,7 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
         if two.1 > one.1 || two.1 == one.1 && two.2 < 0.1 * one.2 { two } else { one }
     };
     // That of the real mistake comes first: another has to be clearly better.
-    let mut best = fit::candidates(hypothesis, &some.iter().map(|(_, sample)| *sample).collect::<Vec<_>>())
+    let mut best = fit::candidates(hypothesis, &some.iter().map(|held| held.sample).collect::<Vec<_>>())
         .into_iter()
         .map(scored)
         .reduce(better)?;
@@ -131,7 +136,10 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
     if 2 * explained <= wrong.len() {
         return None;
     }
-    let spoils = |(before, sample): &&(f64, &Sample)| spoils(*before, left_at(value, sample));
+    let spoiled = right.iter().filter(|held| held.is_spoiled(left_at(value, held))).count();
+    if spoiled as f64 > MAY_SPOIL * right.len() as f64 {
+        return None;
+    }
     let fault = &hypothesis.fault;
     let size = match fault.size {
         Size::Amount { meaning, natural } => {
@@ -147,19 +155,7 @@ fn judge(hypothesis: &Hypothesis, wrong: &[(f64, &Sample)], right: &[(f64, &Samp
         explained,
         of: wrong.len(),
         left,
-        spoiled: right.iter().filter(spoils).count(),
+        spoiled,
     };
     Some((explanation, hypothesis.is_plausible(value)))
-}
-
-/// Whether a deviation that was `before` is explained if it is `after` with the fault. Where the ending, the count or a side did not match, they have to, and
-/// the impacts have to be like each other.
-fn explains(before: f64, after: f64) -> bool {
-    const ALIKE: f64 = 0.1;
-    if before.is_infinite() { after <= ALIKE } else { before > 0.0 && after <= 1e-3 * before }
-}
-
-/// Whether a fault spoils a right answer whose deviation was `before`.
-fn spoils(before: f64, after: f64) -> bool {
-    after > 1e3 * before.max(1e-12)
 }

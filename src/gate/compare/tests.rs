@@ -170,7 +170,14 @@ fn ended(first: (Ending, usize), second: (Ending, usize), late: f64) -> Agreemen
         Agreement::Disagree(found) => {
             assert_eq!((found.observable, found.figure.impact), (Observable::Ending, first.1.min(second.1) + 1));
             assert_eq!((found.figure.difference, found.figure.allowed), (f64::INFINITY, 0.0));
-            let said = |(ending, count): (Ending, usize)| format!("{ending} after {count} impacts");
+            let is_alike = kind(first.0) == kind(second.0);
+            let said = |(ending, count): (Ending, usize)| {
+                if is_alike {
+                    format!("{count} impacts listed, {ending}")
+                } else {
+                    format!("{ending} after {count} impacts")
+                }
+            };
             assert_eq!(found.values, [said(first), said(second)]);
             Agreement::Disagree(found)
         }
@@ -268,4 +275,13 @@ fn a_sign_is_a_difference() {
     negative.chattering_time = Some(Estimate { value: -2.0, uncertainty: 1.0 / 64.0 });
     let Agreement::Disagree(found) = compared(&first, &negative).agreement else { panic!("a negative time agrees") };
     assert_eq!((found.observable, found.figure.difference), (Observable::ChatteringTime, 4.0));
+}
+
+/// An impact that one list has and the other has not is near to the end of the time, on either side of it; far behind the end there is none.
+#[test]
+fn an_impact_far_behind_the_end_is_one_too_many() {
+    let (short, long) = ((Ending::Incomplete, 2), (Ending::LimitReached(Limit::Impacts), 3));
+    for (late, is_too_many) in [(1.0 / 128.0, false), (-1.0 / 128.0, false), (1.0, true), (-1.0, true)] {
+        assert_eq!(matches!(ended(short, long, late), Agreement::Disagree(_)), is_too_many, "{late}");
+    }
 }

@@ -112,3 +112,35 @@ fn a_case_in_which_something_is_wrong_is_judged_unasked() {
     }
     assert_eq!(examine_and_judge(&[oracle, &Late], &judges, &case(), false).judgements.len(), 2);
 }
+
+/// That what is overturned lands again is not said on the word of an oracle that the judge refutes.
+#[test]
+fn who_is_refuted_bears_no_witness() {
+    struct Dreamer;
+    impl Oracle for Dreamer {
+        fn name(&self) -> &str {
+            "dreamer"
+        }
+        fn model(&self) -> contract::Model {
+            contract::Model::Linear
+        }
+        fn history(&self, _: &Case) -> Result<contract::History, contract::Decline> {
+            let uncertainty = contract::Uncertainty { time: 0.0, interval: 0.0, velocity: 0.0 };
+            let impacts = vec![contract::Impact { time: 1.0, interval: 1.0, velocity: 0.1, uncertainty }];
+            Ok(contract::History { impacts, ending: contract::Ending::Incomplete, chattering_time: None })
+        }
+    }
+    let oracle = stepper();
+    let oracle = oracle.as_ref();
+    let case = Case::from_amplitude(1.5, 1.0, 0.9).and_then(|case| case.with_max_impacts(20)).unwrap();
+    let accused = |judges: &Judges| {
+        let examination = examine_and_judge(&[oracle, &Dreamer], judges, &case, true);
+        let lands = |law: crate::gate::laws::Law| law == crate::gate::laws::Law::OverturnedStays;
+        let accused = examination.checked[0].breach.as_ref().is_some_and(|breach| lands(breach.law));
+        (accused, examination.sound())
+    };
+    let judges = Judges { oracles: vec![oracle], every: 1, closing: None };
+    assert_eq!(accused(&judges), (false, vec![oracle.name().to_owned()]));
+    // Where nobody proves anything, it stays open who is wrong.
+    assert!(accused(&Judges::default()).0);
+}

@@ -23,7 +23,7 @@ fn well_formed() -> History {
 fn broken(change: impl Fn(&mut History)) -> Result<Option<(Law, usize)>, contract::Invalid> {
     let mut history = well_formed();
     change(&mut history);
-    Ok(form(&case()?, &history).map(|breach| (breach.law, breach.impact)))
+    Ok(form(&case()?, &history, Times::AreSums).map(|breach| (breach.law, breach.impact)))
 }
 
 #[test]
@@ -148,7 +148,7 @@ proptest! {
 fn the_worst_ratio_and_the_first_breach_are_found() -> Result<(), contract::Invalid> {
     let case = Case::from_epsilon(0.02, 2.0, 0.8)?.with_max_impacts(200)?;
     let Some(mut observed) = observed(&case) else { panic!("no history") };
-    let good = check(&case, Model::Linear, &observed);
+    let good = check(&case, Model::Linear, &observed, Times::AreSums);
     let figures = |observed: &Observed| -> Vec<Figure> {
         (3..=observed.history.impacts.len()).filter_map(|n| interval_ratio(&case, observed, n)).collect()
     };
@@ -158,9 +158,41 @@ fn the_worst_ratio_and_the_first_breach_are_found() -> Result<(), contract::Inva
     for n in [150, 160] {
         observed.history.impacts[n - 1].interval *= 1.0 + 1e-3;
     }
-    let bad = check(&case, Model::Linear, &observed);
+    let bad = check(&case, Model::Linear, &observed, Times::AreSums);
     assert!(bad.breach.is_some_and(|breach| breach.law == Law::IntervalRatio && breach.impact == 150));
     assert!(bad.ratio.is_some_and(|ratio| ratio.impact == 150 && ratio.share() > 1.0));
-    assert!(check(&case.with_horizon(Horizon::Until(9.0))?, Model::Linear, &observed).breach.is_none());
+    assert!(check(&case.with_horizon(Horizon::Until(9.0))?, Model::Linear, &observed, Times::AreSums).breach.is_none());
+    Ok(())
+}
+
+/// Times that an engine prints to few digits are no sums to the last bit; they are off by no more than is granted for them, twice.
+#[test]
+fn times_that_are_no_sums_are_allowed_what_is_claimed_for_them() -> Result<(), contract::Invalid> {
+    let broken = |times: Times, off: f64| -> Result<Option<Law>, contract::Invalid> {
+        let mut history = well_formed();
+        history.impacts.iter_mut().for_each(|impact| impact.uncertainty.time = 1e-6);
+        history.impacts[2].time += off;
+        Ok(form(&case()?, &history, times).map(|breach| breach.law))
+    };
+    assert_eq!(broken(Times::AreClaimed, 1.9e-6)?, None);
+    assert_eq!(broken(Times::AreClaimed, 2.1e-6)?, Some(Law::TimeIsSum));
+    assert_eq!(broken(Times::AreSums, 1.9e-6)?, Some(Law::TimeIsSum));
+    Ok(())
+}
+
+/// The end of the time is part of the question. Half a period of this case is 1.57.
+#[test]
+fn no_impact_comes_after_the_time_that_was_asked_for() -> Result<(), contract::Invalid> {
+    let case = case()?;
+    let late = |case: &Case, unsure: f64| {
+        let mut history = well_formed();
+        history.impacts.iter_mut().for_each(|impact| impact.uncertainty.time = unsure);
+        in_time(case, &history).map(|breach| (breach.law, breach.impact))
+    };
+    assert_eq!(late(&case, 0.0), Some((Law::InTime, 3)));
+    assert_eq!(late(&case, 0.2), Some((Law::InTime, 4)));
+    assert_eq!(late(&case, 0.31), None);
+    assert_eq!(late(&case.with_horizon(Horizon::Until(1.875))?, 0.0), None);
+    assert_eq!(late(&case.with_horizon(Horizon::Until(1.874))?, 0.0), Some((Law::InTime, 4)));
     Ok(())
 }

@@ -48,6 +48,8 @@ pub struct EngineAsked {
     pub model: String,
     /// The largest share of the cases of a run that it may decline.
     pub may_decline: f64,
+    /// Whether it never says that a block comes to rest, as its manifest has it.
+    pub never_at_rest: bool,
     /// The checksum of the manifest that it is in.
     pub manifest: String,
 }
@@ -99,13 +101,14 @@ impl Request {
         ]
         .map(|(name, value)| (name.to_owned(), value))
         .to_vec();
-        for EngineAsked { engine, model, may_decline, manifest } in engines {
+        for EngineAsked { engine, model, may_decline, never_at_rest, manifest } in engines {
             let Engine { name, says, receipt, .. } = engine;
             let receipt = if receipt.is_empty() { String::new() } else { format!("; {receipt}") };
             fields.push((format!("engine {name}"), format!("{says}{receipt}")));
             fields.push((format!("the manifest of {name}"), manifest.clone()));
             // What the manifest says, and what the engine said at its start.
-            fields.push((format!("what is granted {name}"), format!("{} {model} {may_decline:?}", exact(engine))));
+            let granted = format!("{} {model} {may_decline:?} {never_at_rest}", exact(engine));
+            fields.push((format!("what is granted {name}"), granted));
         }
         let Identity { cases, hash } = all;
         fields.push(("the cases, to the last bit".to_owned(), format!("{cases} with hash {hash:016x}")));

@@ -5,7 +5,10 @@ use std::collections::BTreeMap;
 use contract::{Ending, Limit};
 use serde::{Deserialize, Serialize};
 
-use crate::gate::counting::{add_counts, ending_name};
+use crate::gate::{
+    counting::{add_counts, ending_name},
+    finding::Finding,
+};
 
 /// The cases that end in one way.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,11 +24,13 @@ pub struct Said {
 }
 
 impl Said {
-    /// One answer: what it says, what is true, and whether anything is wrong with it.
-    pub(super) fn of(said: Ending, truth: Ending, is_wrong: bool) -> Self {
+    /// One answer: what it says, what is true, and what is wrong with it. A list that ends too early or too late is no right ending, whatever it says.
+    pub(super) fn of(said: Ending, truth: Ending, findings: &[Finding]) -> Self {
         let rocks = |ending| matches!(ending, Ending::Incomplete | Ending::Overturned);
-        let is_right = said == truth || rocks(said) && rocks(truth);
-        let is_open = !is_right && (!is_wrong || said == Ending::LimitReached(Limit::Impacts));
+        let is_ending_wrong = findings.iter().any(Finding::is_of_ending);
+        let is_right = !is_ending_wrong && (said == truth || rocks(said) && rocks(truth));
+        let says_nothing = findings.is_empty() || said == Ending::LimitReached(Limit::Impacts);
+        let is_open = !is_ending_wrong && !is_right && says_nothing;
         Self {
             right: usize::from(is_right),
             open: usize::from(is_open),

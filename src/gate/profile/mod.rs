@@ -183,7 +183,7 @@ impl Held<'_> {
         profile.smallest = smallest.map(|(interval, impact)| Smallest { interval, impact, case: case.clone() });
         profile.deepest = (right > 0).then_some(Deepest { impact: right, case });
         profile.sides.note(&named.case, self.model, truth, sides::Outcome { is_wrong, said });
-        profile.endings.insert(ending_name(truth), Said::of(said, truth, is_wrong));
+        profile.endings.insert(ending_name(truth), Said::of(said, truth, self.findings));
         profile
     }
 

@@ -2,11 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use contract::Decline;
 use serde::{Deserialize, Serialize};
 
 use super::{FailedCase, Report, profiles};
 use crate::gate::{
-    explanation::Explanation, failure::Cause, finding::Finding, profile::Profile, shortfall::Shortfall, tally::Tally,
+    explanation::{Explained, Explanation},
+    failure::Cause,
+    profile::Profile,
+    run::Run,
+    shortfall::{MOST_DECLINES_OF_FEW, Shortfall},
     verdict::Verdict,
 };
 
@@ -50,8 +55,14 @@ pub struct EngineReport {
     pub answered: usize,
     /// How many cases it declined.
     pub declined: usize,
+    /// How many it was not asked: its model needs a slenderness, and they have none.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub not_asked: usize,
     /// Over how many it broke.
     pub broke: usize,
+    /// In how many it fails as is known of it.
+    #[serde(default, skip_serializing_if = "super::is_zero")]
+    pub known: usize,
     /// In how many something is wrong with its answer, or it is in every pair that disagrees.
     pub wrong: usize,
     /// Its own verdict.
@@ -63,45 +74,53 @@ pub struct EngineReport {
     /// catalogue does. `None` if nothing is wrong, or it was not looked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explanations: Option<Vec<Explanation>>,
+    /// What can be read off the numbers of one that is wrong, in words.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub signs: Vec<String>,
 }
 
 impl Report {
     /// The same with what became of these engines, as it was counted. One that answered nothing turns any run red.
     #[must_use]
-    pub fn with_engines(mut self, engines: Vec<Engine>, tally: &Tally) -> Self {
+    pub fn with_engines(mut self, engines: Vec<Engine>, run: &Run) -> Self {
         for engine in engines {
             let name = &engine.name;
             let answered = self.answered.get(name).copied().unwrap_or(0);
             let count = |by_reason: &BTreeMap<String, usize>| by_reason.values().sum();
-            let declined = self.declines.get(name).map_or(0, count);
+            // What its model can't be asked, it did not refuse.
+            let not_asked = self.declines.get(name).and_then(|of| of.get(Decline::NeedsSlenderness.reason()));
+            let not_asked = not_asked.copied().unwrap_or(0);
+            let declined = self.declines.get(name).map_or(0, count) - not_asked;
             let broke = self.broke.get(name).map_or(0, count);
-            if answered + broke == 0 {
-                let silent = Shortfall::Silent { oracle: name.clone() };
-                if !self.shortfalls.contains(&silent) {
-                    self.shortfalls.push(silent);
-                }
+            self.shortfalls.retain_mut(|shortfall| is_of_asked(name, not_asked, shortfall));
+            let silent = Shortfall::Silent { oracle: name.clone() };
+            if answered + broke + declined == 0 && not_asked > 0 {
+                self.shortfalls.retain(|shortfall| *shortfall != silent);
+                self.shortfalls.push(Shortfall::NotAsked { oracle: name.clone(), cases: not_asked });
+            } else if answered + broke == 0 && !self.shortfalls.contains(&silent) {
+                self.shortfalls.push(silent);
             }
             if !engine.claims {
                 for finding in self.failures.iter_mut().flat_map(|failure| &mut failure.findings) {
-                    if let Finding::Refuted { oracle, granted, .. } = finding
-                        && oracle == name
-                    {
-                        *granted = true;
-                    }
+                    finding.grant(name);
                 }
             }
             let wrong = self.failures.iter().filter(|failure| is_to_blame(name, failure)).count();
-            let profile = tally.profiles.get(name).cloned();
+            let profile = run.tally.profiles.get(name).cloned();
+            let known = run.outcomes.cases_known_of(name);
             let explanations = None;
             self.engines.push(EngineReport {
                 engine,
                 answered,
                 declined,
+                not_asked,
                 broke,
+                known,
                 wrong,
                 verdict: Verdict::Pass,
                 profile,
                 explanations,
+                signs: Vec::new(),
             });
         }
         self.concluded()
@@ -109,12 +128,26 @@ impl Report {
 
     /// The same with what would explain the wrong answers of each engine, by its name. It is asked about those only that got something wrong.
     #[must_use]
-    pub fn explained(mut self, explain: impl Fn(&str) -> Option<Vec<Explanation>>) -> Self {
+    pub fn explained(mut self, explain: impl Fn(&str) -> Option<Explained>) -> Self {
         for engine in self.engines.iter_mut().filter(|engine| engine.wrong > 0) {
-            engine.explanations = explain(&engine.engine.name);
+            let Some(Explained { explanations, signs }) = explain(&engine.engine.name) else { continue };
+            (engine.explanations, engine.signs) = (Some(explanations), signs);
         }
         self
     }
+}
+
+/// Leaves what this engine was not asked out of what it declined; whether the shortfall still is one.
+fn is_of_asked(name: &str, not_asked: usize, shortfall: &mut Shortfall) -> bool {
+    let Shortfall::Declined { oracle, declined, cases, allowed } = shortfall else { return true };
+    if oracle != name || not_asked == 0 {
+        return true;
+    }
+    let share = *allowed / *cases as f64;
+    *declined = declined.saturating_sub(not_asked);
+    *cases = cases.saturating_sub(not_asked);
+    *allowed = (share * *cases as f64).max(MOST_DECLINES_OF_FEW);
+    *declined as f64 > *allowed
 }
 
 /// Whether a failure points to this oracle, and not only because it broke.
@@ -132,11 +165,30 @@ pub(super) fn is_to_blame(name: &str, failure: &FailedCase) -> bool {
 /// The lines about the engines in the report for people.
 pub(super) fn lines(report: &Report) -> Vec<String> {
     let mut lines = Vec::new();
-    for EngineReport { engine, answered, declined, broke, wrong, verdict, profile, explanations } in &report.engines {
+    for of in &report.engines {
+        let EngineReport {
+            engine,
+            answered,
+            declined,
+            not_asked,
+            broke,
+            known,
+            wrong,
+            verdict,
+            profile,
+            explanations,
+            ..
+        } = of;
         let Engine { name, says, receipt, claims, granted } = engine;
         let receipt = if receipt.is_empty() { String::new() } else { format!("; {receipt}") };
         let mut said = format!("{name} ({says}{receipt}): {verdict}, {answered} cases answered");
-        for (count, what) in [(wrong, "wrong"), (declined, "declined"), (broke, "broke it")] {
+        for (count, what) in [
+            (wrong, "wrong"),
+            (known, "wrong as is known"),
+            (declined, "declined"),
+            (not_asked, "not asked, for they have no slenderness (alpha)"),
+            (broke, "broke it"),
+        ] {
             if *count > 0 {
                 said += &format!(", {count} {what}");
             }
@@ -144,14 +196,15 @@ pub(super) fn lines(report: &Report) -> Vec<String> {
         lines.push(format!("  {:12} {said}", "engine"));
         let mut more = Vec::new();
         if !claims {
-            let Granted { time, interval, velocity, reason, .. } = granted;
+            let Granted { time, interval, velocity, tau_ch, reason } = granted;
             let by = if reason.is_empty() { "nothing is granted by its manifest".to_owned() } else { reason.clone() };
             more.push(format!(
-                "it claims no errors; granted by the manifest: time {time:e}, interval {interval:e}, velocity {velocity:e} ({by})"
+                "it claims no errors; granted by the manifest: time {time:e}, interval {interval:e}, velocity {velocity:e}, tau-ch {tau_ch:e} ({by})"
             ));
         }
         more.extend(profile.iter().flat_map(profiles::lines));
         more.extend(explanations.iter().flat_map(|found| explained(found)));
+        more.extend(of.signs.iter().cloned());
         lines.extend(more.into_iter().map(|said| format!("  {:12} {said}", "")));
     }
     lines

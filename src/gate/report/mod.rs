@@ -88,6 +88,9 @@ pub struct Report {
     /// Failures of engines that are known.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub known_failures: Vec<KnownFailure>,
+    /// In how many cases an engine failed as is known of it.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub failed_as_known: usize,
     /// Cases in which something was wrong.
     pub failures: Vec<FailedCase>,
     /// What is wrong with the run as a whole.
@@ -213,6 +216,7 @@ impl Report {
             ladders: run.ladders.clone(),
             known: known(run),
             known_failures: run.known.clone(),
+            failed_as_known: run.outcomes.cases_known(),
             failures,
             shortfalls,
             not_judged,
@@ -252,6 +256,11 @@ impl Report {
     pub fn passes(&self) -> bool {
         self.verdict == Verdict::Pass
     }
+}
+
+/// For fields that go without saying.
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 fn known(run: &Run) -> Vec<Known> {

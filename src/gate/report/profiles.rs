@@ -51,8 +51,13 @@ fn endings(profile: &Profile) -> Option<String> {
     }
     let wrong = profile.endings.iter().filter(|(_, said)| said.wrong > 0);
     if let Some((truth, said)) = wrong.max_by_key(|(_, said)| said.wrong) {
-        let instead = said.says.iter().filter(|(says, _)| *says != truth).max_by_key(|(_, count)| **count)?;
-        text += &format!("; {} that end {truth} are said to end {}", said.wrong, instead.0);
+        let instead = said.says.iter().filter(|(says, _)| *says != truth).max_by_key(|(_, count)| **count);
+        text += &match instead {
+            Some((instead, count)) if 2 * count > said.wrong => {
+                format!("; {} that end {truth} are said to end {instead}", said.wrong)
+            }
+            _ => format!("; {} that end {truth} have too few or too many impacts", said.wrong),
+        };
     }
     Some(text)
 }

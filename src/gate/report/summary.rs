@@ -40,13 +40,15 @@ fn engines(engines: &[EngineReport]) -> String {
     if engines.is_empty() {
         return String::new();
     }
-    let mut out = "\n| engine | who it says it is | verdict | answered | wrong | declined | broke |\n".to_owned();
-    out += "| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
-    for EngineReport { engine, answered, declined, broke, wrong, verdict, .. } in engines.iter().take(ENGINES) {
+    let mut out =
+        "\n| engine | who it says it is | verdict | answered | wrong | as known | declined | broke |\n".to_owned();
+    out += "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: |\n";
+    for EngineReport { engine, answered, declined, broke, known, wrong, verdict, .. } in engines.iter().take(ENGINES) {
         let receipt = if engine.receipt.is_empty() { String::new() } else { format!("; {}", engine.receipt) };
         let says = line(&format!("{}{receipt}", engine.says));
         let name = line(&engine.name);
-        let _ = writeln!(out, "| {name} | {says} | **{verdict}** | {answered} | {wrong} | {declined} | {broke} |");
+        let counts = [answered, wrong, known, declined, broke].map(usize::to_string).join(" | ");
+        let _ = writeln!(out, "| {name} | {says} | **{verdict}** | {counts} |");
     }
     if engines.len() > ENGINES {
         let _ = writeln!(out, "\nand {} more engines", engines.len() - ENGINES);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{FailedCase, Report, engines};
+use super::{FailedCase, Report, cut::one_line, engines};
 use crate::{
     gate::{
         compare::{Disagreement, Figure},
@@ -11,6 +11,7 @@ use crate::{
         failure::{by_cause, common, likewise},
         finding::Finding,
         ladder::Descent,
+        pair::Pair,
         responses,
         verdict::Verdict,
     },
@@ -60,7 +61,13 @@ pub fn verdict(report: &Report) -> String {
     let said = match report.verdict {
         Verdict::Pass => {
             let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.tally.responses));
-            format!("{oracles} oracles agree on {cases} cases{and}")
+            match report.failed_as_known {
+                0 => format!("{oracles} oracles agree on {cases} cases{and}"),
+                known => format!(
+                    "{oracles} oracles agree on {} of {cases} cases{and}; {known} fail as is known",
+                    cases - known
+                ),
+            }
         }
         Verdict::Undecided => {
             let and = responses.map_or_else(String::new, |of| format!(" and {} whole responses", of.tally.responses));
@@ -69,7 +76,7 @@ pub fn verdict(report: &Report) -> String {
                 [] => "interrupted".to_owned(),
                 names => format!("{} broke in {} cases", names.join(" and "), report.failures.len()),
             };
-            format!("{broke}; nothing was wrong in {cases} cases{and}")
+            format!("{broke}; nothing was wrong in {} cases{and}", cases - report.failures.len())
         }
         Verdict::Fail => {
             let failed = format!("{} of {cases} cases failed", report.failures.len());
@@ -155,7 +162,7 @@ fn left_out(report: &Report) -> Vec<(&'static str, String)> {
     };
     let mut declined: Vec<(String, Vec<&str>)> = Vec::new();
     for (oracle, reasons) in &report.declines {
-        let reasons = list(reasons.iter().map(|(reason, count)| format!("{count} {reason}")));
+        let reasons = list(reasons.iter().map(|(reason, count)| format!("{count} {}", one_line(reason))));
         match declined.iter_mut().find(|(known, _)| *known == reasons) {
             Some((_, oracles)) => oracles.push(oracle),
             None => declined.push((reasons, vec![oracle])),
@@ -169,6 +176,16 @@ fn left_out(report: &Report) -> Vec<(&'static str, String)> {
     }
     for known in &report.known_failures {
         add("known", format!("{}: failed in {} of {} cases: {}", known.says, known.failed, known.met, known.reason));
+    }
+    for Pair { oracles, vacuous, impacts, .. } in &report.pairs {
+        let [one, two] = oracles;
+        let is_told = report.shortfalls.iter().any(|shortfall| shortfall.oracles() == [one, two]);
+        if 2 * vacuous > *impacts && !is_told {
+            let said = format!(
+                "{vacuous} of {impacts} impacts of {one} and {two}: what is claimed or granted is so wide that nearly anything passes"
+            );
+            add("in name only", said);
+        }
     }
     let close = report.pairs.iter().map(|pair| pair.too_close).sum::<usize>();
     if close > 0 {
@@ -214,7 +231,9 @@ pub fn headline(failure: &FailedCase) -> String {
 
 /// One failed case, as someone has to read it whose run just went red.
 pub fn failure_text(failure: &FailedCase) -> String {
-    let mut out = format!("FAILED {}", failure.name);
+    // Over which an engine broke, there is no verdict.
+    let head = if failure.is_breakdown() { "UNDECIDED" } else { "FAILED" };
+    let mut out = format!("{head} {}", failure.name);
     for finding in &failure.findings {
         let _ = write!(out, "\n  {}", finding_text(finding));
     }

@@ -10,6 +10,7 @@ use crate::cases::case_file::CaseFields;
 struct Written {
     case: CaseFields,
     is_wrong: bool,
+    is_ending_wrong: bool,
     answer: Option<Columns>,
 }
 
@@ -70,16 +71,16 @@ impl Columns {
 
 impl Serialize for Sample {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let Self { case, answer, is_wrong } = self;
+        let &Self { ref case, ref answer, is_wrong, is_ending_wrong } = self;
         let answer = answer.as_ref().map(Columns::from);
-        Written { case: CaseFields::from(case), is_wrong: *is_wrong, answer }.serialize(to)
+        Written { case: CaseFields::from(case), is_wrong, is_ending_wrong, answer }.serialize(to)
     }
 }
 
 impl<'de> Deserialize<'de> for Sample {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        let Written { case, is_wrong, answer } = Written::deserialize(from)?;
+        let Written { case, is_wrong, is_ending_wrong, answer } = Written::deserialize(from)?;
         let answer = answer.map(|columns| columns.history()).transpose().map_err(D::Error::custom)?;
-        Ok(Self { case: case.case().map_err(D::Error::custom)?, answer, is_wrong })
+        Ok(Self { case: case.case().map_err(D::Error::custom)?, answer, is_wrong, is_ending_wrong })
     }
 }

@@ -101,3 +101,18 @@ fn a_few_chosen_cases_only_have_to_have_compared_something() {
     };
     assert_eq!((chosen(0), chosen(10)), (vec![], vec![Shortfall::NothingCompared]));
 }
+
+/// An engine of which it is declared that it never says "at rest" is held to all else.
+#[test]
+fn no_chattering_time_is_wanted_of_what_is_declared_to_have_none() {
+    let roles = Roles { never_rests: &|oracle| oracle == "two", ..panel::roles() };
+    let short = |change: fn(&mut Pair)| {
+        let mut run = run(20);
+        run.pairs[0].chattering_times = 0;
+        change(&mut run.pairs[0]);
+        (shortfalls(&run, &roles).0.len(), judged_by(&run).len())
+    };
+    assert_eq!(short(|_| ()), (0, 1));
+    assert_eq!(short(|pair| pair.vacuous = pair.impacts), (1, 1));
+    assert_eq!(short(|pair| pair.impacts = 0), (1, 1));
+}
