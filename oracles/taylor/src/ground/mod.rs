@@ -156,7 +156,7 @@ impl FlightSolver for Flights {
     }
 
     fn motion(&self, departure: &Departure, s: f64) -> (f64, f64) {
-        if !(s > 0.0) {
+        if s <= 0.0 || s.is_nan() {
             return (departure.rotation, departure.velocity);
         }
         let (mut from, mut left) = (*departure, s);
