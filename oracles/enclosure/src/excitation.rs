@@ -16,6 +16,8 @@ pub struct Excitation<F> {
     /// `ω`.
     pub omega: Interval<F>,
     omega_squared: Interval<F>,
+    /// `a ω²`.
+    bend: Interval<F>,
     /// `q = sqrt(ε(2 + ε))`.
     quadrature: Interval<F>,
     /// `a = 1 + ε`.
@@ -43,7 +45,8 @@ impl<F: Directed> Excitation<F> {
         let any = Pull { value: &Interval::exactly(1.0) + &value, slope, bend: Bend::Waves(vec![wave]) };
         let omega = Interval::exactly(omega);
         let omega_squared = omega.squared();
-        Self { omega, omega_squared, quadrature: (epsilon * &(epsilon + &two)).root(), amplitude, any }
+        let bend = &amplitude * &omega_squared;
+        Self { omega, omega_squared, bend, quadrature: (epsilon * &(epsilon + &two)).root(), amplitude, any }
     }
 }
 
@@ -89,9 +92,9 @@ impl<F: Directed> Ground<F> for Excitation<F> {
         None
     }
 
-    fn window(&self, phase: &HalfPhase<F>, side: Side, length: &Interval<F>) -> Option<Window<F>> {
+    fn window(&self, _: &HalfPhase<F>, _: Side, pull: &Pull<F>, length: &Interval<F>) -> Option<Window<F>> {
         // b' changes by at most a ω² in a unit of time.
-        Some(Window::bent(&self.pull(phase, side), &(&self.amplitude * &self.omega_squared), length))
+        Some(Window::bent(pull, &self.bend, length))
     }
 
     fn amplitude(&self) -> &Interval<F> {

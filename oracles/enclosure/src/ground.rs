@@ -23,8 +23,8 @@ pub trait Ground<F: Directed> {
     /// How long it is until the formula changes, and the moment when it does.
     fn change(&self, moment: &Self::Moment) -> Option<(Interval<F>, Self::Moment)>;
 
-    /// Bounds for the pull within `length` of a moment; `None` where it may jump.
-    fn window(&self, moment: &Self::Moment, side: Side, length: &Interval<F>) -> Option<Window<F>>;
+    /// Bounds for the pull within `length` of a moment at which it is `pull`; `None` where it may jump.
+    fn window(&self, moment: &Self::Moment, side: Side, pull: &Pull<F>, length: &Interval<F>) -> Option<Window<F>>;
 
     /// A bound on `|f|` from any moment on.
     fn amplitude(&self) -> &Interval<F>;
@@ -43,11 +43,8 @@ impl<F: Directed> Window<F> {
     pub fn bent(pull: &Pull<F>, bend: &Interval<F>, length: &Interval<F>) -> Self {
         let time = length.down_to_zero();
         let bend = Interval::within(bend.magnitude());
-        let slope = &pull.slope + &(&bend * &time);
         let half = &Interval::exactly(0.5) * &time.squared();
-        // Once by the slopes that there are, and once by the slope at the start: each is the narrower one at times.
-        let by_slopes = &pull.value + &(&slope * &time);
-        let by_start = &(&pull.value + &(&pull.slope * &time)) + &(&bend * &half);
-        Self { value: by_slopes.and(&by_start), slope }
+        let value = &(&pull.value + &(&pull.slope * &time)) + &(&bend * &half);
+        Self { value, slope: &pull.slope + &(&bend * &time) }
     }
 }

@@ -1,23 +1,15 @@
-use contract::{
-    Body, Case, Decline, Ending, Estimate, Followed, History, Horizon, Impact, Invalid, Limit, Model, Motion, Oracle,
-    Slenderness, Uncertainty,
-};
+use contract::{Body, Case, Decline, Ending, Followed, History, Horizon, Limit, Model, Motion, Oracle, Slenderness};
 
 use crate::{
     bounds::Bounds,
     directed::Directed,
+    enclosed_impact::{EnclosedImpact, enclosed_impact, estimate},
     interval::Interval,
+    judge::{Enclosure, within},
     ladder::{Attempt, bits_for, climb},
     responses::EnclosedBout,
     sequence::{self, End, Sequence, Wanted},
 };
-
-/// The oracle whose claims are proven.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Enclosure {
-    pub(crate) model: Model,
-    pub(crate) digits: u32,
-}
 
 /// Everything that is proven of a case.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,49 +24,10 @@ pub struct Enclosed {
     pub bits: u32,
 }
 
-/// Bounds for one impact.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EnclosedImpact {
-    /// The time `τ_n`.
-    pub time: Bounds,
-    /// The interval `Δτ_(n-1)`.
-    pub interval: Bounds,
-    /// The velocity `φ'` just after the impact.
-    pub velocity: Bounds,
-}
-
 /// How many impacts are followed to the proof of an ending if fewer are asked for.
 const FOLLOWED: usize = 50_000;
 
 impl Enclosure {
-    /// How many digits a user may ask for.
-    pub const MOST_DIGITS: u32 = 100;
-
-    /// Digits enough for the rounding to doubles to be the largest part of what is claimed.
-    const ENOUGH_FOR_DOUBLES: u32 = 17;
-
-    /// The oracle for one of the two equations.
-    pub fn new(model: Model) -> Self {
-        Self { model, digits: Self::ENOUGH_FOR_DOUBLES }
-    }
-
-    /// The same oracle, with this many correct digits in every number; fewer in a chattering time that would take too many impacts.
-    ///
-    /// # Errors
-    /// When `digits` is below 1 or above [`Enclosure::MOST_DIGITS`].
-    pub fn with_digits(self, digits: impl Into<i64>) -> Result<Self, Invalid> {
-        let digits = digits.into();
-        match u32::try_from(digits) {
-            Ok(digits @ 1..=Self::MOST_DIGITS) => Ok(Self { digits, ..self }),
-            _ => Err(Invalid::new("digits", digits, "1 <= digits <= 100")),
-        }
-    }
-
-    /// How many digits are asked of it.
-    pub fn digits(&self) -> u32 {
-        self.digits
-    }
-
     /// Bounds for every impact that the case asks for, and for its chattering time.
     ///
     /// # Errors
@@ -102,25 +55,6 @@ impl Enclosure {
         let bits = if self.digits <= 12 { 53 } else { bits_for(self.digits) + 12 };
         climb(&attempt, bits).ok_or(undecided)
     }
-}
-
-/// What is proven of one impact; `None` if a bound is not a number.
-pub(crate) fn enclosed_impact<F: Directed>(impact: sequence::Impact<F>) -> Option<EnclosedImpact> {
-    Some(EnclosedImpact {
-        time: Bounds::new(&impact.time)?,
-        interval: Bounds::new(&impact.interval)?,
-        velocity: Bounds::new(&impact.side.of(&impact.speed))?,
-    })
-}
-
-pub(crate) fn within(
-    field: &'static str,
-    value: f64,
-    least: f64,
-    most: f64,
-    allowed: &'static str,
-) -> Result<(), Decline> {
-    if (least..=most).contains(&value) { Ok(()) } else { Err(Decline::OutOfRange { field, value, allowed }) }
 }
 
 /// A case followed with some number of digits.
@@ -181,26 +115,6 @@ impl Oracle for Enclosure {
 
     fn bouts_on(&self, body: &Body, motion: &Motion, asked: &Followed) -> Result<Vec<contract::Bout>, Decline> {
         Ok(self.enclose_on(body, motion, asked)?.iter().map(EnclosedBout::bout).collect())
-    }
-}
-
-/// The middle of an interval, and half its width.
-pub(crate) fn estimate(bounds: &Bounds) -> Estimate {
-    let (value, uncertainty) = bounds.middle();
-    Estimate { value, uncertainty }
-}
-
-impl EnclosedImpact {
-    pub(crate) fn impact(&self) -> Impact {
-        let relative = |bounds: &Bounds| {
-            let (value, uncertainty) = bounds.middle();
-            (value, (uncertainty / bounds.lower().abs().min(bounds.upper().abs())).next_up())
-        };
-        let (time, time_claim) = self.time.middle();
-        let (interval, interval_claim) = relative(&self.interval);
-        let (velocity, velocity_claim) = relative(&self.velocity);
-        let uncertainty = Uncertainty { time: time_claim, interval: interval_claim, velocity: velocity_claim };
-        Impact { time, interval, velocity, uncertainty }
     }
 }
 

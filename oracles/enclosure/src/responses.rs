@@ -3,13 +3,13 @@
 use contract::{Body, Decline, Followed, Model, Motion};
 
 use crate::{
-    Enclosure,
     bounds::Bounds,
     bouts::{self, Asked, Bout, BoutEnd, Bouts},
     directed::Directed,
+    enclosed_impact::{EnclosedImpact, enclosed_impact, estimate},
     interval::Interval,
+    judge::{Enclosure, within},
     ladder::{Attempt, bits_for, climb},
-    oracle::{EnclosedImpact, enclosed_impact, estimate, within},
 };
 
 /// Everything that is proven of a bout of a response.

@@ -38,16 +38,17 @@ pub fn time_left<F: Directed, G: Ground<F>>(
 ) -> Option<Interval<F>> {
     // The sum for constant pulls, with some room; a larger one leaves the bounds wider.
     let decay = Interval::exactly(eta);
-    let [at_first, at_second] = [side, side.other()]
-        .map(|side| motion.equation.towards_base(&Interval::zero(), &ground.pull(moment, side).value));
+    let [first, second] = [side, side.other()].map(|side| ground.pull(moment, side));
+    let [at_first, at_second] =
+        [&first, &second].map(|pull| motion.equation.towards_base(&Interval::zero(), &pull.value));
     if !(at_first.is_positive() && at_second.is_positive()) {
         return None;
     }
     let estimate = geometric([&at_first, &at_second], [&decay, &decay], speed);
     let within = |window: f64| {
         let length = Interval::exactly(window);
-        let ours = ground.window(moment, side, &length)?;
-        let others = ground.window(moment, side.other(), &length)?;
+        let ours = ground.window(moment, side, &first, &length)?;
+        let others = ground.window(moment, side.other(), &second, &length)?;
         let left = if motion.equation.is_linear() {
             linear(&ours, &others, speed, eta)?
         } else {

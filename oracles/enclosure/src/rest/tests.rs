@@ -31,7 +31,8 @@ fn check(epsilon: f64, omega: f64, [speed, window]: [f64; 2], least_windows: usi
         for n in 0..=30 {
             let phase = excitation.later(&HalfPhase::start(), &Interval::exactly(0.1 / omega * f64::from(n)));
             for side in [Side::Plus, Side::Minus] {
-                let pulls = excitation.window(&phase, side, &Interval::exactly(window)).unwrap();
+                let pull = excitation.pull(&phase, side);
+                let pulls = excitation.window(&phase, side, &pull, &Interval::exactly(window)).unwrap();
                 let Some(bounds) = flights(&motion, &pulls, &Interval::exactly(speed), 0.5) else { continue };
                 found += 1;
                 for t in 0..=10 {

@@ -161,8 +161,8 @@ impl<F: Directed> Ground<F> for Shaking<F> {
         Some((&end - &moment.time, Moment { time: end, part: moment.part + 1 }))
     }
 
-    fn window(&self, moment: &Moment<F>, side: Side, length: &Interval<F>) -> Option<Window<F>> {
-        let window = Window::bent(&self.pull(moment, side), &self.bend(moment.part), length);
+    fn window(&self, moment: &Moment<F>, side: Side, pull: &Pull<F>, length: &Interval<F>) -> Option<Window<F>> {
+        let window = Window::bent(pull, &self.bend(moment.part), length);
         let Some((left, next)) = self.change(moment).filter(|(left, _)| !length.is_below(left)) else {
             return Some(window);
         };
@@ -171,8 +171,8 @@ impl<F: Directed> Ground<F> for Shaking<F> {
         if next.part >= record.parts() {
             return None;
         }
-        let here = Window::bent(&self.pull(moment, side), &self.bend(moment.part), &left);
-        let there = self.window(&next, side, &(length - &left))?;
+        let here = Window::bent(pull, &self.bend(moment.part), &left);
+        let there = self.window(&next, side, &self.pull(&next, side), &(length - &left))?;
         Some(Window { value: here.value.or(&there.value), slope: here.slope.or(&there.slope) })
     }
 
