@@ -153,7 +153,8 @@ mod tests {
                 speed *= eta;
             }
             assert!((closed.value / sum - 1.0).abs() < 1e-12, "{alpha} {share} {eta}: {closed:?} {sum}");
-            assert!(closed.uncertainty < 1e-13 * sum);
+            // The rounding of the first speed counts next to the balance.
+            assert!(closed.uncertainty < 1e-13 * sum + 1e-15 / (1.0 - share));
         }
         let still = Still::new(0.3);
         assert!(still.time_to_rest(still.fastest(), 0.9).is_none() && still.time_to_rest(f64::NAN, 0.9).is_none());

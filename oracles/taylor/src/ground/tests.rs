@@ -104,7 +104,8 @@ fn free_rocking_of_the_slender_block_is_summed_from_any_speed() {
                 flights.rests(&from) && (left.value / exact - 1.0).abs() < 1e-13,
                 "{eta} {velocity}: {left:?} {exact}"
             );
-            assert!(left.uncertainty < 1e-13 * exact);
+            // The rounding of a speed counts next to the balance.
+            assert!(left.uncertainty < 1e-13 * exact + 1e-15 / (1.0 - velocity));
         }
         for velocity in [1.0, 1.2] {
             let from = Departure { ground: Ground::Still, time: 9.0, side: 1.0, rotation: 0.0, velocity };
