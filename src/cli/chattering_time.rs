@@ -316,9 +316,11 @@ fn text(answer: &Answer) -> String {
             answer.oracle
         );
     }
-    match (answer.tau_ch, answer.uncertainty, answer.half_period_fraction) {
-        (Some(time), Some(uncertainty), Some(fraction)) => format!(
-            "tau_ch = {time:?} ± {uncertainty:.1e} = {fraction:?} T/2{}, complete, by {} from {} impacts, {}",
+    // Only a sinusoid has a half period.
+    let fraction = answer.half_period_fraction.map_or(String::new(), |fraction| format!(" = {fraction:?} T/2"));
+    match (answer.tau_ch, answer.uncertainty) {
+        (Some(time), Some(uncertainty)) => format!(
+            "tau_ch = {time:?} ± {uncertainty:.1e}{fraction}{}, complete, by {} from {} impacts, {}",
             answer.seconds.map_or(String::new(), |seconds| format!(" = {seconds:?} s")),
             answer.oracle,
             answer.impacts,

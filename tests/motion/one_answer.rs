@@ -130,3 +130,46 @@ fn the_found_scenes_are_answered_right() {
         assert!((cells[5] - 0.15 * (omega * cells[0] + 0.4).sin()).abs() < 1e-13, "{row}");
     }
 }
+
+/// On other motions than a sinusoid too the first rocking is the same for each command, in seconds and in tau.
+#[test]
+fn a_pulse_and_a_record_are_answered_as_one() {
+    for name in ["one_sine", "earthquake"] {
+        let file = &format!("data/scenes/{name}.toml");
+        let (response, time) = (json(&["response", file]), json(&["chattering-time", "--scene", file]));
+        let (scene, listed) = (json(&["scene", file]), json(&["simulate", "--scene", file, "--impacts", "5"]));
+        let p = response["frequency_parameter"].as_f64().unwrap();
+        let bout = &response["bouts"][0];
+        let lasts = bout["to"].as_f64().unwrap() - bout["from"].as_f64().unwrap();
+        let near =
+            |value: &Value, expected: f64| assert_relative_eq!(value.as_f64().unwrap(), expected, max_relative = 1e-12);
+        near(&time["tau_ch"], lasts);
+        near(&time["seconds"], lasts / p);
+        near(&scene["chattering_time"]["seconds"], lasts / p);
+        near(&scene["initiation"], bout["from"].as_f64().unwrap() / p);
+        assert_eq!((&time["complete"], &time["half_period_fraction"]), (&Value::Bool(true), &Value::Null));
+        assert_eq!(time["impacts"], bout["impacts"]);
+        // What the motion is, dimensionless.
+        for fact in ["ground", "strongest", "duration", "samples", "dt"] {
+            assert_eq!((&scene[fact], &time[fact]), (&response[fact], &response[fact]), "{fact}");
+        }
+        let impacts = json(&["response", file, "--impacts", "5"])["bouts"][0]["impact_times"].clone();
+        let times: Vec<Value> =
+            listed["impacts"].as_array().unwrap().iter().skip(1).map(|row| row["tau"].clone()).collect();
+        assert_eq!(Value::Array(times), impacts);
+        let (_, said, _) = run(&["chattering-time", "--scene", file]);
+        assert!(
+            said.starts_with("tau_ch = ") && said.contains(" s, complete, by taylor") && !said.contains("T/2"),
+            "{said}"
+        );
+    }
+    // A block that is released has a velocity to begin with, and a side.
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("released.toml");
+    let scene = "[block]\nwidth = 0.4\nheight = 2.2\nrestitution = 0.9\n[ground]\namplitude = { g = 0 }\nfrequency = { hz = 1 }\n[start]\nvelocity = 0.1\n";
+    std::fs::write(&file, scene).unwrap();
+    let released = json(&["simulate", "--scene", file.to_str().unwrap(), "--impacts", "2"]);
+    assert_eq!((&released["impacts"][0]["velocity"], &released["impacts"][0]["sign"]), (&0.1.into(), &1.into()));
+    let after = released["impacts"][1]["velocity"].as_f64().unwrap();
+    assert!((after + 0.09).abs() < 1e-12, "{after}");
+}
