@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let path = arguments.file.as_deref().ok_or_else(|| anyhow!("no scene file"))?;
     let scene = read_scene(path)?;
     if let scene::Ground::Shaking(shaking) = &scene.ground {
-        shaking.notes.iter().for_each(|said| note(said));
+        shaking.notes.iter().for_each(note);
     }
     let answer = if scene.sine().is_ok() { of_case(&scene)? } else { of_motion(&scene)? };
     arguments.format.print(&answer, text)?;

@@ -179,7 +179,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     }
     let format = arguments.format(&files);
     if !matches!(format, Some(Format::Text)) {
-        summary.iter().for_each(|line| note(line));
+        summary.iter().for_each(note);
     }
     match format {
         None => {}

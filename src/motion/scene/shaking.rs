@@ -204,13 +204,13 @@ impl Reader<'_> {
             Units::Threshold => 1.0,
         };
         let of_file = dt.map(|seconds| seconds * p);
-        if let (Some(tau), Some(of_file), Some(field)) = (in_tau, of_file, &record.dt) {
-            if (tau - of_file).abs() > 1e-6 * of_file {
-                let said = format!(
-                    "dt = {tau} tau, and the file says {of_file} tau; expected is the same, or none in the scene (time_scale stretches times)"
-                );
-                return Err(self.text.error(&field.span(), said));
-            }
+        if let (Some(tau), Some(of_file), Some(field)) = (in_tau, of_file, &record.dt)
+            && (tau - of_file).abs() > 1e-6 * of_file
+        {
+            let said = format!(
+                "dt = {tau} tau, and the file says {of_file} tau; expected is the same, or none in the scene (time_scale stretches times)"
+            );
+            return Err(self.text.error(&field.span(), said));
         }
         let dt = in_tau.or(of_file).map(|dt| dt * time_scale);
         let dt =
