@@ -191,7 +191,7 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("scene PULSE", "--format json", Used),
         ("chattering-time --scene PULSE", "--model linear", Used),
         ("chattering-time --scene PULSE", "--until 0.1", Used),
-        ("chattering-time --scene PULSE --model linear", "--oracle taylor", Used),
+        ("chattering-time --scene PULSE", "--oracle ode", Used),
         ("chattering-time --scene PULSE", "--impacts 5", Refused(&["impacts = 5", "scene"])),
         ("chattering-time --scene PULSE", "--tolerance 1e-3", Refused(&["tolerance = 1e-3", "auto"])),
         ("chattering-time --scene PULSE", "--digits 30", Refused(&["digits = 30", "auto"])),

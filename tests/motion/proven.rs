@@ -58,8 +58,13 @@ fn the_response_to_a_record_is_within_its_proof() {
     let (proof, found) =
         (proven(&[scene, "--oracle", "enclosure", "--format", "json"]), proven(&[scene, "--format", "json"]));
     let (proof, found) = (proof["bouts"].as_array().unwrap(), found["bouts"].as_array().unwrap());
-    assert!(proof.len() == found.len() && !found.is_empty());
+    assert!(proof.len() <= found.len() && !proof.is_empty());
+    assert_eq!(proof[0]["ending"], "complete");
     for (proof, found) in proof.iter().zip(found) {
+        // From there on nothing is proven.
+        if proof["ending"] == "undecided" {
+            break;
+        }
         assert_eq!(proof["ending"], found["ending"]);
         let near =
             |one: &Value, other: &Value, most: f64| (one.as_f64().unwrap() - other.as_f64().unwrap()).abs() <= most;
