@@ -3,7 +3,7 @@
 use anyhow::bail;
 use chattercheck::{
     motion::response::{OnMotion, Request},
-    panel::{self, Method, ProvenBout, Refused, Setting, Settings},
+    panel::{self, Method, ProvenResponse, Refused, Setting, Settings},
 };
 use clap::Args;
 use contract::{Body, Decline, Followed, Model, Motion, Oracle};
@@ -32,12 +32,7 @@ impl FlightFlags {
     ///
     /// # Errors
     /// When a value is not known, or the judge does not use an option.
-    pub fn proven(
-        &self,
-        model: Model,
-        digits: Option<i64>,
-        asked: ToProve,
-    ) -> anyhow::Result<Option<(String, Result<Vec<ProvenBout>, Decline>)>> {
+    pub fn proven(&self, model: Model, digits: Option<i64>, asked: ToProve) -> anyhow::Result<Option<ProvenResponse>> {
         let Some(name) = self.oracle.as_deref() else { return Ok(None) };
         Ok(panel::proven_bouts(name, &Settings { digits, ..self.settings() }, model, asked)?)
     }

@@ -15,6 +15,9 @@ pub struct ProvenBout {
     pub rest: Option<[String; 2]>,
 }
 
+/// The name of the judge, and what it proves.
+pub type ProvenResponse = (String, Result<Vec<ProvenBout>, Decline>);
+
 /// The bouts of a block on ground that moves in any way, if the judge is the method that `name` names; with the name of the oracle.
 ///
 /// # Errors
@@ -24,7 +27,7 @@ pub fn proven_bouts(
     settings: &Settings,
     model: Model,
     (body, motion, asked): (&Body, &Motion, &Followed),
-) -> Result<Option<(String, Result<Vec<ProvenBout>, Decline>)>, Refused> {
+) -> Result<Option<ProvenResponse>, Refused> {
     let Some((method, settings, model)) = lookup::resolve(name, settings, model)? else { return Ok(None) };
     if !method.roles.contains(&Role::Judge) {
         return Ok(None);

@@ -118,7 +118,7 @@ fn the_critical_scale_is_proven() {
     let judge = panel::judge_of(Model::Linear).unwrap();
     let crossing = critical_scale(stepper.as_ref(), &request, 2.0).unwrap().unwrap();
     let proven = certified(judge.as_ref(), &request, &crossing, |fate| fate.incomplete).unwrap();
-    let critical = 1.122_593_927_069_722_058 / 1.02;
+    let critical = 1.122_593_927_069_722 / 1.02;
     assert!(proven.lower < critical && critical < proven.upper, "{proven:?} {critical}");
     assert!(proven.upper / proven.lower - 1.0 < 1e-10, "{proven:?}");
     let elsewhere = Crossing { lower: 1.05, upper: 1.050_000_01, happens_above: true };

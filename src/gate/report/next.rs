@@ -27,7 +27,7 @@ fn advice(report: &Report) -> String {
     let is_engine = |oracle: &&str| report.engines.iter().any(|of| of.engine.name == **oracle);
     let mut all: Vec<&str> = Vec::new();
     for shortfall in &report.shortfalls {
-        let advice = shortfall.advice(shortfall.oracles().iter().any(|oracle| is_engine(&oracle)));
+        let advice = shortfall.advice(shortfall.oracles().iter().any(&is_engine));
         if !all.contains(&advice) {
             all.push(advice);
         }
