@@ -114,8 +114,8 @@ mod tests {
 
     use super::*;
 
-    /// A solver that knows when free rocking ends, 2 after any impact, to a thousandth.
-    struct Knows;
+    /// A solver that knows when free rocking ends, by the speed of an impact.
+    struct Knows(fn(f64) -> Estimate);
 
     impl FlightSolver for Knows {
         fn fly(&self, _: &Departure, _: f64) -> Arrival {
@@ -130,45 +130,23 @@ mod tests {
             true
         }
 
-        fn time_to_rest(&self, _: &Departure) -> Option<Estimate> {
-            Some(Estimate { value: 2.0, uncertainty: 1e-3 })
-        }
-    }
-
-    /// A solver that knows little after the first impact and all after the next.
-    struct Learns;
-
-    impl FlightSolver for Learns {
-        fn fly(&self, _: &Departure, _: f64) -> Arrival {
-            Arrival::Lost(contract::Loss::Stalled)
-        }
-
-        fn motion(&self, _: &Departure, _: f64) -> (f64, f64) {
-            (0.0, 0.0)
-        }
-
-        fn rests(&self, _: &Departure) -> bool {
-            true
-        }
-
         fn time_to_rest(&self, departure: &Departure) -> Option<Estimate> {
-            let slow = departure.velocity < 0.5;
-            Some(if slow {
-                Estimate { value: 1e-11, uncertainty: 1e-25 }
-            } else {
-                Estimate { value: 2.0, uncertainty: 1e-3 }
-            })
+            Some((self.0)(departure.velocity))
         }
     }
+
+    /// 2 after any impact, to a thousandth.
+    const ROUGHLY: Estimate = Estimate { value: 2.0, uncertainty: 1e-3 };
 
     /// An estimate next to the balance, which may be far too late, is not waited for: the impacts would be followed until nothing is left of their speed.
     #[test]
     fn a_later_impact_may_know_better() {
         let fast = Departure { ground: Ground::Still, time: 0.0, side: 1.0, rotation: 0.0, velocity: 0.999 };
         let slow = Departure { velocity: 0.1, ..fast };
+        let learns = Knows(|speed| if speed < 0.5 { Estimate { value: 1e-11, uncertainty: 1e-25 } } else { ROUGHLY });
         let mut tail = Tail::default();
-        assert_eq!(tail.rest(&Learns, (&fast, 1.0, 3.0), 0.9, f64::INFINITY), None);
-        let rest = tail.rest(&Learns, (&slow, 1.0, 4.0), 0.9, f64::INFINITY).unwrap();
+        assert_eq!(tail.rest(&learns, (&fast, 1.0, 3.0), 0.9, f64::INFINITY), None);
+        let rest = tail.rest(&learns, (&slow, 1.0, 4.0), 0.9, f64::INFINITY).unwrap();
         assert!(rest.value >= 4.0 && rest.value < 4.1 && rest.uncertainty < 1e-14, "{rest:?}");
     }
 
@@ -176,13 +154,14 @@ mod tests {
     #[test]
     fn the_sum_of_free_rocking_keeps_its_claim() {
         let departure = Departure { ground: Ground::Still, time: 0.0, side: 1.0, rotation: 0.0, velocity: 1e-3 };
+        let knows = Knows(|_| ROUGHLY);
         let mut tail = Tail::default();
         assert_eq!(
-            tail.rest(&Knows, (&departure, 1.0, 3.0), 0.9, f64::INFINITY),
+            tail.rest(&knows, (&departure, 1.0, 3.0), 0.9, f64::INFINITY),
             None,
             "impacts are followed until nothing is left to be seen"
         );
-        let rest = tail.rest(&Knows, (&departure, 1.0, 5.0), 0.9, f64::INFINITY);
+        let rest = tail.rest(&knows, (&departure, 1.0, 5.0), 0.9, f64::INFINITY);
         assert!(rest.is_some_and(|rest| rest.value == 5.0 && (1e-3..1.001e-3).contains(&rest.uncertainty)), "{rest:?}");
     }
 }
