@@ -17,6 +17,7 @@ mod rows;
 mod scenes;
 mod slender_threshold;
 mod thrift;
+mod weak;
 
 #[path = "../effort/mod.rs"]
 mod effort;

@@ -15,6 +15,9 @@
 //! # Up to the critical amplitude ([`Order::Resummed`], [`Resummed`])
 //! There the chattering time has a branch point whose exponent is known ([`approach`]). What is known of it is summed in closed form.
 //!
+//! # Other motions of the ground
+//! Chattering after a weak push by any motion, about its peak: the chattering times of the bouts of a response, from `Oracle::bouts_on`.
+//!
 //! Every answer carries a claim of its own error, and the oracle declines where that is more than was asked for.
 //!
 //! # Misprints met
@@ -38,6 +41,7 @@ mod resummed;
 mod series;
 mod singularity;
 mod truncated;
+mod weak;
 
 pub use expansion::{Coefficient, Expansion};
 pub use oracle::{Asymptotic, MOST_ORDER, Order};

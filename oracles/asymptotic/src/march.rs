@@ -25,6 +25,8 @@ pub(crate) struct Limit<T> {
 pub(crate) enum Search {
     /// Until the last column changes no coefficient by more than this, relative.
     Until(f64),
+    /// Until it changes all coefficients together by no more than this of the first: where they are terms already.
+    Together(f64),
     /// After so many pairs of flights in that column.
     At(usize, usize),
 }
@@ -39,22 +41,32 @@ pub(crate) fn march<T: Number>(
     impacts: usize,
     search: Search,
 ) -> (Vec<Impact<T>>, Option<Limit<T>>) {
+    let mut state = State::initiation(block, terms);
+    let fly = |even| {
+        let (interval, next) = state.fly(block, even);
+        state = next;
+        Some(Impact { interval, time: state.x.clone(), velocity: state.v.clone() })
+    };
+    accumulate(fly, block.eta * block.eta, impacts, search)
+}
+
+/// The same for any flights, each from the last: `fly` is told whether it is an even one. `None` for the limit also where a flight does not end.
+pub(crate) fn accumulate<T: Number>(
+    mut fly: impl FnMut(bool) -> Option<Impact<T>>,
+    ratio: T,
+    impacts: usize,
+    search: Search,
+) -> (Vec<Impact<T>>, Option<Limit<T>>) {
     let mut listed = Vec::new();
     let mut limit = None;
-    let mut state = State::initiation(block, terms);
     let mut columns: Vec<Series<T>> = Vec::new();
     for pair in 1..=MOST_PAIRS.max(impacts.div_ceil(2)) {
-        for even in [true, false] {
-            let (interval, next) = state.fly(block, even);
-            state = next;
-            if listed.len() < impacts {
-                listed.push(Impact { interval, time: state.x.clone(), velocity: state.v.clone() });
-            }
-        }
+        let [Some(even), Some(odd)] = [true, false].map(&mut fly) else { break };
         if limit.is_none() && pair <= MOST_PAIRS {
-            columns = next_columns(&columns, &state.x, block.eta * block.eta);
+            columns = next_columns(&columns, &odd.time, ratio);
             limit = found(&columns, pair, search);
         }
+        listed.extend([even, odd].into_iter().take(impacts - listed.len()));
         if listed.len() >= impacts && (limit.is_some() || pair >= MOST_PAIRS) {
             break;
         }
@@ -96,7 +108,10 @@ fn found<T: Number>(columns: &[Series<T>], pairs: usize, search: Search) -> Opti
     match search {
         Search::At(after, _) if pairs != after => None,
         Search::At(_, column) => changes.find(|limit| limit.found_at.1 == column),
-        Search::Until(_) if pairs < FEWEST_PAIRS => None,
+        Search::Until(_) | Search::Together(_) if pairs < FEWEST_PAIRS => None,
+        Search::Together(relative) => {
+            changes.find(|limit| limit.change.iter().sum::<f64>() <= relative * limit.value.leading().rounded().abs())
+        }
         Search::Until(relative) => changes.find(|limit| {
             limit.change.iter().zip(&limit.value.0).all(|(change, value)| *change <= relative * value.rounded().abs())
         }),

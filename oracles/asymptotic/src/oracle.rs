@@ -1,11 +1,15 @@
 use std::f64::consts::PI;
 
-use contract::{Case, Decline, Ending, Estimate, History, Horizon, Impact, Invalid, Limit, Loss, Model, Oracle};
+use contract::{
+    Body, Bout, Case, Decline, Ending, Estimate, Followed, History, Horizon, Impact, Invalid, Limit, Loss, Model,
+    Motion, Oracle,
+};
 
 use crate::expansion::Expansion;
 use crate::paper;
 use crate::resummed::{RESUMMED_TERMS, Resummed};
 use crate::truncated::BEYOND;
+use crate::weak;
 
 /// How far the series is carried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,6 +105,18 @@ impl Oracle for Asymptotic {
                 Ok(Resummed::new(expansion)?.chattering_time(case.epsilon()))
             }),
         }
+    }
+
+    /// By the law of weak excitation, to two terms (relative errors of the order of `ε^(3/2)`) or as many as were asked for; impacts are not listed.
+    fn bouts_on(&self, body: &Body, motion: &Motion, asked: &Followed) -> Result<Vec<Bout>, Decline> {
+        let order = match self.order {
+            Order::Paper => 2,
+            Order::Terms(order) => order,
+            Order::Resummed => {
+                return Err(Decline::Unsupported { what: "resumming on other motions than the sinusoid of a case" });
+            }
+        };
+        weak::bouts(body, motion, asked, weak::Wanted { order, tolerance: self.tolerance })
     }
 }
 
