@@ -17,6 +17,7 @@ mod motions;
 mod page;
 mod planted_responses;
 mod reach;
+mod relations;
 mod reports;
 mod responses;
 mod shrink;

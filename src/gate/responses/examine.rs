@@ -6,10 +6,12 @@ use contract::Model;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    compare::{self, Difference},
+    compare,
+    difference::Difference,
     laws::{self, Law},
     reach::Example,
-    reference::Reference,
+    reference::{Expected, Reference},
+    relations::Relation,
     whole::{Responder, Whole},
 };
 use crate::cases::shaking::Question;
@@ -24,6 +26,8 @@ pub struct Examination {
     pub findings: Vec<Finding>,
     /// Of each method, by name: what was compared, or that it declined.
     pub asked: Vec<(String, Compared)>,
+    /// Which changes that must not matter were tried of which method, by name, where something happens to the block.
+    pub related: Vec<(String, Relation)>,
     /// What the response is an example of, by the plain follower.
     pub reach: Vec<Example>,
     /// Whether the outcome of one of the models is too close to call from some time on.
@@ -79,6 +83,8 @@ pub enum Wrong {
     Breaks(Law, f64),
     /// It is not what it has to be.
     Differs(Difference),
+    /// A change that must not matter does: the answer to the question in its other form is another.
+    Changes(Relation, Difference),
 }
 
 impl Wrong {
@@ -87,6 +93,7 @@ impl Wrong {
         match (self, other) {
             (Self::Breaks(one, _), Self::Breaks(other, _)) => one == other,
             (Self::Differs(one), Self::Differs(other)) => one.what.resembles(other.what),
+            (Self::Changes(one, _), Self::Changes(other, _)) => one == other,
             _ => false,
         }
     }
@@ -95,7 +102,7 @@ impl Wrong {
     pub fn time(&self) -> f64 {
         match self {
             Self::Breaks(_, time) => *time,
-            Self::Differs(difference) => difference.time,
+            Self::Differs(difference) | Self::Changes(_, difference) => difference.time,
         }
     }
 }
@@ -106,12 +113,15 @@ impl fmt::Display for Finding {
         match &self.wrong {
             Wrong::Breaks(law, time) => write!(f, "{} (τ = {time:.9})", law.broken())?,
             Wrong::Differs(difference) => difference.fmt(f)?,
+            Wrong::Changes(relation, difference) => {
+                write!(f, "asked {}, which must not matter, another answer: {difference}", relation.name())?
+            }
         }
         if self.agreeing.is_empty() {
             return Ok(());
         }
         let suspect = match &self.wrong {
-            Wrong::Breaks(..) => "what they share",
+            Wrong::Breaks(..) | Wrong::Changes(..) => "what they share",
             Wrong::Differs(_) => "what they share, or the plain follower,",
         };
         write!(f, "; {} the same: {suspect} is suspect", self.agreeing.join(" and "))
@@ -120,6 +130,11 @@ impl fmt::Display for Finding {
 
 /// The response that `question` asks for by every method, examined.
 pub fn examine(responders: &[&dyn Responder], question: &Question) -> Examination {
+    examine_with(responders, question, &[])
+}
+
+/// The same, and the question is asked again in these other forms that must not matter.
+pub fn examine_with(responders: &[&dyn Responder], question: &Question, relations: &[Relation]) -> Examination {
     let mut examination = Examination::default();
     for model in [Model::Linear, Model::Nonlinear] {
         let of_model: Vec<&&dyn Responder> = responders.iter().filter(|responder| responder.model() == model).collect();
@@ -138,6 +153,15 @@ pub fn examine(responders: &[&dyn Responder], question: &Question) -> Examinatio
             };
             let (wrong, used) = wrong(&whole, &reference, responder.accuracy());
             examination.asked.push((name.clone(), Compared::of(&whole, &reference, used)));
+            let wrong = wrong.or_else(|| {
+                relations.iter().find_map(|relation| {
+                    let answer = answer_changes(*responder, question, *relation, &whole, &reference)?;
+                    if !whole.bouts.is_empty() {
+                        examination.related.push((name.clone(), *relation));
+                    }
+                    answer.map(|difference| Wrong::Changes(*relation, difference))
+                })
+            });
             findings.extend(wrong.map(|wrong| Finding { method: name, model, wrong, agreeing: Vec::new() }));
         }
         examination.findings.extend(with_agreeing(&findings));
@@ -152,10 +176,29 @@ fn wrong(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Wrong>,
     (broken.or(difference.map(Wrong::Differs)), used)
 }
 
+/// How the answer to the question in its other form differs from the first, as far as its conditioning tells: of the plain follower nothing else is taken. `None` where
+/// there is no such form, or the method has no answer to it.
+fn answer_changes(
+    responder: &dyn Responder,
+    question: &Question,
+    relation: Relation,
+    first: &Whole,
+    reference: &Reference,
+) -> Option<Option<Difference>> {
+    let changed = relation.change(question).filter(|changed| responder.is_asked(&changed.question))?;
+    let again = changed.back(&responder.respond(&changed.question, 1)?.bouts);
+    // The same method follows a block that falls as far as before.
+    let expected = Expected { bouts: &first.bouts, falls: false, ..reference.expected() };
+    Some(compare::of_bouts(&again, &expected, Reference::scale_of_two(responder.accuracy())).0)
+}
+
 /// Each finding with the names of the others at the same place.
 fn with_agreeing(findings: &[Finding]) -> Vec<Finding> {
     let same = |one: &Finding, other: &Finding| match (&one.wrong, &other.wrong) {
         (Wrong::Differs(one), Wrong::Differs(other)) => one.what == other.what && one.time == other.time,
+        (Wrong::Changes(of, one), Wrong::Changes(other_of, other)) => {
+            of == other_of && one.what == other.what && one.time == other.time
+        }
         (Wrong::Breaks(..), Wrong::Breaks(..)) => one.wrong == other.wrong,
         _ => false,
     };

@@ -15,6 +15,8 @@ use crate::cases::shaking::Question;
 const MOVED: f64 = 1e-8;
 /// What the plain follower's own flights are worth, as [`Responder::accuracy`](super::Responder::accuracy).
 const OWN: f64 = 2e-12;
+/// By how much the numbers of a question are rounded in another form.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 /// Speeds that differ by this share are of flights that are not the same any more.
 const PARTED: f64 = 0.02;
 
@@ -26,6 +28,17 @@ pub(super) struct Reference {
     pub known: Vec<Known>,
     /// From when on it is too close to call what happens; infinite where it is known to the end.
     pub until: f64,
+}
+
+/// What the bouts of a response have to be, and how well that is known.
+pub(super) struct Expected<'a> {
+    pub bouts: &'a [Bout],
+    /// Of the first of them.
+    pub known: &'a [Known],
+    /// From when on it is too close to call what happens.
+    pub until: f64,
+    /// Whether a block that still rocks where the response ends would overturn, so that it may be said to.
+    pub falls: bool,
 }
 
 /// By how much a bout moves with the problem.
@@ -74,9 +87,19 @@ impl Reference {
         Some(reference)
     }
 
+    /// What another response has to be.
+    pub fn expected(&self) -> Expected<'_> {
+        Expected { bouts: &self.nominal.bouts, known: &self.known, until: self.until, falls: self.nominal.falls }
+    }
+
     /// By what an error of the follower and of a method of this accuracy is larger than what moving the problem shows.
     pub fn scale(accuracy: f64) -> f64 {
         (accuracy + OWN) / MOVED
+    }
+
+    /// The same of the errors of one method of this accuracy in two answers; the numbers of a question in another form are rounded.
+    pub fn scale_of_two(accuracy: f64) -> f64 {
+        (2.0 * accuracy + ROUNDED) / MOVED
     }
 
     /// The rotation and its velocity at a time, and how far they move with the problem.

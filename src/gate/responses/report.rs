@@ -9,6 +9,7 @@ use super::{
     examine::Finding,
     failure::Failure,
     reach::Example,
+    relations::Relation,
     shortfall::{Shortfall, shortfalls},
     tally::{MethodCounts, Tally},
 };
@@ -118,7 +119,7 @@ impl From<&Failure> for Failed {
 
 /// What was exercised, in lines of a head and what is said.
 pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
-    let Tally { responses, too_close, reach, methods, .. } = &report.tally;
+    let Tally { responses, too_close, reach, relations, methods, .. } = &report.tally;
     let (bouts, impacts) =
         methods.values().fold((0, 0), |(bouts, impacts), method| (bouts + method.bouts, impacts + method.impacts));
     let mut lines = vec![(
@@ -135,6 +136,11 @@ pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
             "",
             format!("{kinds}; {used:.0} % of what is allowed at the most: {name}; {too_close} too close to call"),
         ));
+    }
+    if !relations.is_empty() {
+        let pairs: usize = relations.values().sum();
+        let kinds = format!("{} of {} changes that must not matter", relations.len(), Relation::ALL.len());
+        lines.push(("", format!("{kinds}, tried in {pairs} answers")));
     }
     lines
 }
@@ -180,15 +186,17 @@ fn by_kind(failures: &[Failed]) -> Vec<Vec<&Failed>> {
 /// Every kind of response, and every method, in a line.
 pub fn methods_text(report: &Report) -> String {
     let line = |(name, method): (&String, &MethodCounts)| {
-        let MethodCounts { answered, declined, bouts, impacts, rows, wrong, used } = method;
+        let MethodCounts { answered, declined, bouts, impacts, rows, wrong, related, used } = method;
         let used = 100.0 * used;
         format!(
-            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {wrong} wrong, {used:.1}% of the allowance used\n"
+            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {related} asked again, {wrong} wrong, {used:.1}% of the allowance used\n"
         )
     };
     let reached = report.tally.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name()));
     let reached = format!("responses of each kind: {}\n", reached.collect::<Vec<_>>().join(", "));
-    std::iter::once(reached).chain(report.tally.methods.iter().map(line)).collect()
+    let tried = report.tally.relations.iter().map(|(relation, count)| format!("{count} {}", relation.name()));
+    let tried = format!("asked again in a form that must not matter: {}\n", tried.collect::<Vec<_>>().join(", "));
+    [reached, tried].into_iter().chain(report.tally.methods.iter().map(line)).collect()
 }
 
 impl Failed {

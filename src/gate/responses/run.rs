@@ -4,7 +4,9 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::{examine::examine, failure::Failure, report::Report, tally::Tally, whole::Responder};
+use super::{
+    examine::examine_with, failure::Failure, relations::Relation, report::Report, tally::Tally, whole::Responder,
+};
 use crate::{
     cases::{generate, shaking::Question},
     gate::progress::Progress,
@@ -54,12 +56,12 @@ pub fn timed(
 ) -> (Report, Vec<Failure>, Vec<f64>) {
     let examinations: Vec<_> = questions
         .par_iter()
-        .map(|(_, question)| {
+        .map(|(name, question)| {
             if progress.is_interrupted() {
                 return None;
             }
             let start = Instant::now();
-            let examination = examine(responders, question);
+            let examination = examine_with(responders, question, &Relation::of(name));
             progress.done(!examination.findings.is_empty());
             Some((examination, start.elapsed().as_secs_f64()))
         })

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     reach::Example,
+    relations::Relation,
     tally::{MethodCounts, Tally},
 };
 use crate::gate::{shortfall::NotJudged, tolerance, verdict::Verdict};
@@ -49,6 +50,16 @@ pub enum Shortfall {
         /// Its name.
         method: String,
     },
+    /// A method was never asked a question in another form.
+    NeverAskedAgain {
+        /// Its name.
+        method: String,
+    },
+    /// A change that must not matter was never tried.
+    NeverTried {
+        /// Which.
+        relation: Relation,
+    },
     /// A kind of response was never met.
     NeverMet {
         /// The kind.
@@ -73,16 +84,21 @@ pub(super) fn shortfalls(tally: &Tally) -> (Vec<Shortfall>, Vec<NotJudged>) {
     let never_met = Example::ALL.into_iter().filter(|example| !tally.reach.contains_key(example));
     let of_methods = tally.methods.iter().flat_map(|(name, counts)| of_method(name, counts));
     let never_met = never_met.map(|example| Shortfall::NeverMet { example });
-    (unclear.into_iter().chain(of_methods).chain(never_met).collect(), Vec::new())
+    let never_tried = Relation::ALL.into_iter().filter(|relation| !tally.relations.contains_key(relation));
+    let never_tried = never_tried.map(|relation| Shortfall::NeverTried { relation });
+    (unclear.into_iter().chain(of_methods).chain(never_met).chain(never_tried).collect(), Vec::new())
 }
 
 fn of_method(name: &str, counts: &MethodCounts) -> Vec<Shortfall> {
     let method = name.to_owned();
-    let MethodCounts { answered, declined, impacts, wrong, used, .. } = *counts;
+    let MethodCounts { answered, declined, impacts, wrong, used, related, .. } = *counts;
     let asked = answered + declined;
     let mut found = Vec::new();
     if share(declined, asked) > tolerance::RESPONSES_DECLINED.value {
         found.push(Shortfall::Declined { method: method.clone(), declined, asked });
+    }
+    if related == 0 {
+        found.push(Shortfall::NeverAskedAgain { method: method.clone() });
     }
     if impacts == 0 {
         found.push(Shortfall::NoImpact { method });
@@ -122,6 +138,10 @@ impl fmt::Display for Shortfall {
                 )
             }
             Self::NoImpact { method } => write!(f, "{method}: no impact of a whole response was compared"),
+            Self::NeverAskedAgain { method } => {
+                write!(f, "{method}: no whole response was asked again in a form that must not matter")
+            }
+            Self::NeverTried { relation } => write!(f, "no whole response was asked again {}", relation.name()),
             Self::NeverMet { example } => write!(f, "no whole response of the kind \"{}\" was met", example.name()),
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use contract::{Body, Case, Motion, Ricker, Sinusoid, Slenderness, Stretch};
 
 use super::{
-    examine::{Finding, examine},
+    examine::{Finding, Wrong, examine_with},
     whole::Responder,
 };
 use crate::{
@@ -21,8 +21,9 @@ const TRIES: usize = 300;
 pub fn shrink(responders: &[&dyn Responder], question: &Question, finding: &Finding) -> (Question, Finding) {
     let concerned: Vec<&dyn Responder> =
         responders.iter().copied().filter(|responder| responder.name() == finding.method).collect();
+    let relations = if let Wrong::Changes(relation, _) = finding.wrong { vec![relation] } else { Vec::new() };
     let fails = |question: &Question| {
-        let found = examine(&concerned, question).findings;
+        let found = examine_with(&concerned, question, &relations).findings;
         found.into_iter().find(|found| found.wrong.resembles(&finding.wrong))
     };
     let mut best = (question.clone(), finding.clone());

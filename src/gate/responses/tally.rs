@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     examine::{Compared, Examination},
     reach::Example,
+    relations::Relation,
 };
 use crate::gate::counting::add_counts;
 
@@ -24,6 +25,9 @@ pub struct Tally {
     pub too_close: usize,
     /// How many were examples of what; those of both models count once each.
     pub reach: BTreeMap<Example, usize>,
+    /// How many pairs of answers were compared between which a change lies that must not matter.
+    #[serde(default)]
+    pub relations: BTreeMap<Relation, usize>,
     /// What was compared of each method.
     pub methods: BTreeMap<String, MethodCounts>,
 }
@@ -43,6 +47,9 @@ pub struct MethodCounts {
     pub rows: usize,
     /// How many of its responses were wrong.
     pub wrong: usize,
+    /// How many of its answers were compared with one to the same question in another form.
+    #[serde(default)]
+    pub related: usize,
     /// The largest share of what was allowed that an impact used, where nothing was wrong.
     pub used: f64,
 }
@@ -55,6 +62,7 @@ impl Tally {
         self.responses += other.responses;
         self.too_close += other.too_close;
         add_counts(&mut self.reach, other.reach);
+        add_counts(&mut self.relations, other.relations);
         for (name, theirs) in other.methods {
             let mine = self.methods.entry(name).or_default();
             mine.answered += theirs.answered;
@@ -63,6 +71,7 @@ impl Tally {
             mine.impacts += theirs.impacts;
             mine.rows += theirs.rows;
             mine.wrong += theirs.wrong;
+            mine.related += theirs.related;
             mine.used = mine.used.max(theirs.used);
         }
     }
@@ -73,6 +82,10 @@ impl Tally {
         self.too_close += usize::from(examination.too_close);
         for reach in &examination.reach {
             *self.reach.entry(*reach).or_default() += 1;
+        }
+        for (name, relation) in &examination.related {
+            *self.relations.entry(*relation).or_default() += 1;
+            self.methods.entry(name.clone()).or_default().related += 1;
         }
         for (name, asked) in &examination.asked {
             let method = self.methods.entry(name.clone()).or_default();

@@ -2,10 +2,11 @@ use super::*;
 
 /// A run of 200 responses by one method in which everything is as it has to be.
 fn whole() -> Tally {
-    let counts = MethodCounts { answered: 200, impacts: 5000, used: 0.3, ..MethodCounts::default() };
+    let counts = MethodCounts { answered: 200, impacts: 5000, related: 50, used: 0.3, ..MethodCounts::default() };
     Tally {
         responses: 200,
         reach: Example::ALL.into_iter().map(|example| (example, 7)).collect(),
+        relations: Relation::ALL.into_iter().map(|relation| (relation, 5)).collect(),
         methods: [("method".to_owned(), counts)].into(),
         ..Tally::default()
     }
@@ -35,6 +36,12 @@ fn each_thing_that_a_run_fails_to_prove_is_said_and_nothing_else() {
     assert_eq!(of_the_method(|counts| counts.used = 9e-4), [Shortfall::Unused { method: method(), used: 9e-4 }]);
     assert_eq!(of_the_method(|counts| (counts.used, counts.wrong) = (0.0, 1)), []);
     assert_eq!(of_the_method(|counts| counts.impacts = 0), [Shortfall::NoImpact { method: method() }]);
+    assert_eq!(of_the_method(|counts| counts.related = 0), [Shortfall::NeverAskedAgain { method: method() }]);
+    let relation = Relation::Later;
+    let never = changed(|tally| {
+        tally.relations.remove(&relation);
+    });
+    assert_eq!(never, [Shortfall::NeverTried { relation }]);
     let example = Example::OverturnsAfterwards;
     let never = changed(|tally| {
         tally.reach.remove(&example);
