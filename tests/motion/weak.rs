@@ -127,7 +127,9 @@ fn errors_fall_as_they_have_to() {
         Motion::sinusoids(vec![Stretch { until: 6.0, terms }]).unwrap()
     };
     let peak = (0..2_000_000).map(|k| at(&asymmetric(1.0), 3e-6 * f64::from(k)).abs()).fold(0.0, f64::max);
-    let cases: [(&str, Box<dyn Fn(f64) -> Motion>, f64); 5] = [
+    /// A name, the motion of which the highest peak is `1 + ε`, and the power of `ε` as which the error falls.
+    type Case<'a> = (&'static str, Box<dyn Fn(f64) -> Motion + 'a>, f64);
+    let cases: [Case; 5] = [
         ("sine", Box::new(|epsilon| Motion::one_sine(1.0 + epsilon, 2.0).unwrap()), 2.0),
         ("cosine, which starts at its peak", Box::new(|epsilon| Motion::one_cosine(1.0 + epsilon, 2.0).unwrap()), 2.0),
         (
