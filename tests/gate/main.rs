@@ -12,6 +12,7 @@ mod faults;
 mod judge;
 mod junit;
 mod linearisation;
+mod mistaken;
 mod mixed;
 mod motions;
 mod page;

@@ -8,44 +8,18 @@ use chattercheck::{
         generate,
         shaking::{AnyMotion, Question},
     },
-    gate::responses::{self, Responder, Whole},
+    gate::responses::{self, Responder},
     motion::{response::Termination, scene::Scene},
-    responders,
 };
-use contract::{Model, Motion, Record, Ricker, Sinusoid, Stretch};
+use contract::{Motion, Record, Ricker, Sinusoid, Stretch};
 
-/// A method that is asked another question than it is held against.
-struct Misled {
-    inner: responders::Stepped,
-    ask: fn(&AnyMotion) -> AnyMotion,
-}
+use crate::mistaken::Mistaken;
 
-impl Responder for Misled {
-    fn name(&self) -> &str {
-        "misled"
-    }
-
-    fn model(&self) -> Model {
-        self.inner.model()
-    }
-
-    fn accuracy(&self) -> f64 {
-        self.inner.accuracy()
-    }
-
-    fn is_asked(&self, question: &Question) -> bool {
-        self.inner.is_asked(question)
-    }
-
-    fn respond(&self, question: &Question, rows: usize) -> Option<Whole> {
-        let Question::Motion(asked) = question else { return None };
-        self.inner.respond(&Question::Motion((self.ask)(asked)), rows)
-    }
-}
-
-fn misled(name: &str, ask: fn(&AnyMotion) -> AnyMotion) -> Misled {
-    let inner = responders::all().into_iter().find(|method| method.name == name).unwrap();
-    Misled { inner, ask }
+fn misled(name: &str, ask: fn(&AnyMotion) -> AnyMotion) -> Mistaken {
+    Mistaken::new(name, move |question| match question {
+        Question::Motion(asked) => Question::Motion(ask(asked)),
+        Question::Sinusoid(_) => question.clone(),
+    })
 }
 
 fn questions() -> Vec<(String, Question)> {

@@ -11,47 +11,16 @@ use chattercheck::{
         shaking::{AnyMotion, Question},
     },
     gate::{
-        responses::{self, Relation, Responder, Whole, Wrong},
+        responses::{self, Relation, Responder, Wrong},
         verdict::Verdict,
     },
-    responders,
 };
-use contract::{Body, Model, Motion, Record, Sinusoid, Stretch};
+use contract::{Body, Motion, Record, Sinusoid, Stretch};
 
-/// A method that makes another question of some.
-struct Mistaken {
-    inner: responders::Stepped,
-    ask: fn(&Question) -> Question,
-}
-
-impl Responder for Mistaken {
-    fn name(&self) -> &str {
-        "mistaken"
-    }
-
-    fn model(&self) -> Model {
-        self.inner.model()
-    }
-
-    fn accuracy(&self) -> f64 {
-        self.inner.accuracy()
-    }
-
-    fn is_asked(&self, question: &Question) -> bool {
-        self.inner.is_asked(question)
-    }
-
-    fn respond(&self, question: &Question, rows: usize) -> Option<Whole> {
-        self.inner.respond(&(self.ask)(question), rows)
-    }
-}
-
-fn method(name: &str) -> responders::Stepped {
-    responders::all().into_iter().find(|method| method.name == name).unwrap()
-}
+use crate::mistaken::{Mistaken, method};
 
 fn mistaken(ask: fn(&Question) -> Question) -> Mistaken {
-    Mistaken { inner: method("closed-form"), ask }
+    Mistaken::new("closed-form", ask)
 }
 
 fn questions() -> Vec<(String, Question)> {
@@ -170,7 +139,7 @@ fn first_is_negative(motion: &Motion) -> bool {
 
 fn ten_digits(question: &Question) -> Question {
     let brought_back = |term: &Sinusoid| {
-        let phase = if term.phase > PI { term.phase - 6.283_185_307 } else { term.phase };
+        let phase = if term.phase > PI { term.phase - (TAU * 1e9).trunc() / 1e9 } else { term.phase };
         Sinusoid { phase, ..*term }
     };
     of_terms(question, |_, terms| terms.iter().map(brought_back).collect())

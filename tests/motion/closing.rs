@@ -13,7 +13,8 @@ use chattercheck::{
 };
 use contract::{Body, Case, Model, Motion, Ricker};
 
-fn request(motion: Motion, eta: f64) -> OnMotion {
+/// Linear, from rest, followed to its end.
+pub fn request(motion: Motion, eta: f64) -> OnMotion {
     OnMotion {
         body: Body::new(eta, None).unwrap(),
         motion: Arc::new(motion),

@@ -1,16 +1,14 @@
 //! The law of weak excitation against what stepping finds: on pulses, sums of sinusoids, wavelets and records whose highest peak is just above the threshold.
 
-use std::sync::Arc;
-
 use asymptotic::{Asymptotic, Order};
 use chattercheck::{
     cases::generate,
-    motion::response::{BoutEnd as Stepped, OnMotion, Request, Response, Termination},
+    motion::response::{BoutEnd as Stepped, Response},
     panel,
 };
 use contract::{Body, Bout, BoutEnd, Decline, Followed, Motion, Oracle, Ricker, Sinusoid, Stretch};
 
-use crate::effort::pick;
+use crate::{closing::request, effort::pick};
 
 fn weak(order: usize) -> Asymptotic {
     Asymptotic::new().with_order(Order::Terms(order)).unwrap()
@@ -19,16 +17,7 @@ fn weak(order: usize) -> Asymptotic {
 const FROM_REST: Followed = Followed { start: (0.0, 0.0), until: f64::INFINITY, most_impacts: 1 };
 
 fn stepped(motion: &Motion, eta: f64) -> Response {
-    let request = OnMotion {
-        body: Body::new(eta, None).unwrap(),
-        motion: Arc::new(motion.clone()),
-        rounding: 0.0,
-        start: (0.0, 0.0),
-        until: f64::INFINITY,
-        lies_at: None,
-        termination: Termination::Exact,
-        most_impacts: Request::MOST_IMPACTS,
-    };
+    let request = request(motion.clone(), eta);
     Response::on_motion(panel::stepper_on(&request.body, motion).as_ref(), &request).unwrap()
 }
 

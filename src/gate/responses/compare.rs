@@ -3,16 +3,12 @@
 use std::cell::Cell;
 
 use super::{
-    difference::{Difference, What, plain, unless_near},
+    difference::{Difference, ROUNDING, ROUNDING_OF_STATES, What, plain, unless_near},
     reference::{Expected, Reference},
     rows,
     whole::{Bout, BoutEnding, Whole},
 };
 
-/// What rounding leaves in any number, beside what grows out of it.
-const ROUNDING: f64 = 1e-13;
-/// The same of a state that is interpolated.
-const ROUNDING_OF_STATES: f64 = 1e-10;
 /// A claim on when a block comes to rest that is wider than this share of the bout, where that is known, claims nothing.
 const WIDE: f64 = 1e-3;
 

@@ -6,6 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::whole::BoutEnding;
 
+/// What rounding leaves in any number, beside what grows out of it.
+pub(super) const ROUNDING: f64 = 1e-13;
+/// The same of a state that is interpolated, and of the times of impacts beside it.
+pub(super) const ROUNDING_OF_STATES: f64 = 1e-10;
+
 /// Where and how a response differs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Difference {

@@ -55,30 +55,28 @@ impl Flights {
                 slope.add(1.0, &Series::constant(change, zero.terms()));
             }
         }
-        let duration = if even {
-            let heights = heights(&rotation, &self.speed, &self.lift, &self.derivatives);
-            let duration = land(&heights)?;
-            self.speed = at_time(&heights, &duration).1.scaled(-self.eta);
-            duration
-        } else {
-            // In units of the level.
-            let lift = self.lift.times(&self.level).times(&self.level);
-            let mut unit = self.level.clone();
-            let mut pushes = Vec::with_capacity(self.derivatives.len());
-            for derivative in &self.derivatives {
-                pushes.push(derivative.times(&unit).scaled(-1.0));
-                unit = unit.times(&self.level);
-            }
-            if let Some(pull) = pushes.first_mut() {
-                pull.add(1.0, &Series::constant(-2.0, zero.terms()));
-            }
-            let heights = heights(&rotation, &self.speed, &lift, &pushes);
-            let duration = land(&heights)?;
-            self.speed = at_time(&heights, &duration).1.scaled(-self.eta);
-            duration.times(&self.level)
-        };
+        let other = (!even).then(|| self.on_the_other_side());
+        let (lift, pushes) = other.as_ref().map_or((&self.lift, &self.derivatives), |(lift, pushes)| (lift, pushes));
+        let heights = heights(&rotation, &self.speed, lift, pushes);
+        let duration = land(&heights)?;
+        self.speed = at_time(&heights, &duration).1.scaled(-self.eta);
+        let duration = if even { duration } else { duration.times(&self.level) };
         self.advance(&duration);
         Some(Impact { interval: self.time.minus(&before), time: self.time.clone(), velocity: self.speed.clone() })
+    }
+
+    /// The lift and the push on the other side, with time in units of the level.
+    fn on_the_other_side(&self) -> (Series<f64>, Vec<Series<f64>>) {
+        let mut unit = self.level.clone();
+        let mut pushes = Vec::with_capacity(self.derivatives.len());
+        for derivative in &self.derivatives {
+            pushes.push(derivative.times(&unit).scaled(-1.0));
+            unit = unit.times(&self.level);
+        }
+        if let Some(pull) = pushes.first_mut() {
+            pull.add(1.0, &Series::constant(-2.0, self.level.terms()));
+        }
+        (self.lift.times(&self.level).times(&self.level), pushes)
     }
 
     /// The push a duration later.
