@@ -244,6 +244,29 @@ fn what_is_wrong_with_a_motion_is_said() {
     assert!(Scene::parse(&start).unwrap_err().to_string().contains("line 9: rotation = 1.5"));
 }
 
+/// A sample and a step beyond what a motion may have are said as they are typed, with the line of the file or of the scene.
+#[test]
+fn what_a_motion_can_not_have_is_said_as_typed() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = |file: &str, given: &str| {
+        std::fs::write(folder.path().join("r.txt"), file).unwrap();
+        let block = "[block]\nradius = 1\nslenderness = 0.2\nrestitution = 0.9\n";
+        let text = format!("{block}[ground]\nrecord = {{ file = \"r.txt\"{given} }}\n");
+        Scene::parse_in(&text, folder.path()).unwrap_err().to_string()
+    };
+    let header = "UNITS OF G\nNPTS= 4, DT= .01 SEC\n";
+    let found = told(&format!("{header}.1 .2\n1E+300 .4\n"), "");
+    assert!(found.starts_with("line 6: ") && found.contains("r.txt: line 4: the sample 1E+300 (g) is "), "{found}");
+    let found = told(&format!("{header}.1 .2\n.3 .4\n"), ", scale = 1e6");
+    assert!(found.contains("r.txt: line 4: the sample .3 (g), times 1000000, is "), "{found}");
+    for dt in ["{ seconds = 1e-300 }", "{ tau = 1e-300 }", "{ seconds = 2e9 }"] {
+        let found = told("UNITS OF G\n.1\n.2\n", &format!(", dt = {dt}"));
+        assert!(found.starts_with(&format!("line 6: dt = {dt} is outside the allowed range: 1e-9 to 1e9")), "{found}");
+    }
+    let found = told("UNITS OF G\nNPTS= 2, DT= 1E-300 SEC\n.1 .2\n", "");
+    assert!(found.contains("r.txt: line 2: dt = 1e-300 s is outside the allowed range"), "{found}");
+}
+
 /// Every row of a history is made of numbers, at the start of a flight too, by either model.
 #[test]
 fn a_history_has_no_gaps() {

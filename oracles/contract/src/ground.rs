@@ -93,7 +93,7 @@ pub const RICKER_ANTISYMMETRIC_PEAK: f64 = 1.3801;
 
 impl Motion {
     /// The largest amplitude, and how far a record may be scaled.
-    const MOST: f64 = 1e6;
+    pub const MOST: f64 = 1e6;
     /// No motion that ends lasts for more cycles of its fastest part.
     pub const MOST_CYCLES: f64 = 1e4;
     /// As many terms or stretches as anybody writes down.

@@ -6,6 +6,7 @@
 
 use super::{
     Found, RecordError,
+    error::shown,
     header::{Counted, npts_dt},
     rows,
     text::Text,
@@ -15,8 +16,21 @@ use super::{
 /// Reads a file whose line with `NPTS` and `DT` is known.
 pub fn read(text: &Text<'_>, line: usize) -> Result<Found, RecordError> {
     let counted: Counted = npts_dt(line, text.line(line))?;
-    let block = rows::numbers(text, rows::first(text, line + 1).unwrap_or(line + 1))?;
-    counted.check(block.numbers.len(), block.last)?;
+    let first = rows::first(text, line + 1).unwrap_or(line + 1);
+    rows::check_between(text, line + 1, first)?;
+    let block = rows::numbers(text, first)?;
+    counted.check(block.numbers.len(), block.last).map_err(|error| {
+        let skipped = text.from(line + 1).take(first - line - 1).find(|(_, content)| !content.is_empty());
+        error.and(skipped.map(|(line, content)| format!("; none is in line {line}, `{}`", shown(content))))
+    })?;
     let units = units::of_header(&text.before(line + 1))?;
-    Ok(Found { format: "PEER AT2", dt: Some((counted.dt, line)), units, samples: block.numbers, ..Found::default() })
+    Ok(Found {
+        format: "PEER AT2",
+        dt: Some((counted.dt, line)),
+        units,
+        samples: block.numbers,
+        start: first,
+        notes: block.end.into_iter().collect(),
+        ..Found::default()
+    })
 }

@@ -11,7 +11,7 @@ use super::{
     fixed::{self, Layout},
     peak,
     text::{Text, contains, first_number},
-    units::{self, Named},
+    units,
 };
 
 /// Within so many lines of a channel its first block begins.
@@ -80,7 +80,15 @@ impl<'t, 'a> Channel<'t, 'a> {
         let notes =
             self.real(64).and_then(|peak| peak::differs(peak, 1e-6, self.reals_line, &samples)).into_iter().collect();
         let dt = self.real(62).filter(|interval| *interval > 0.0).map(|interval| (interval / 1000.0, self.reals_line));
-        Ok(Found { format: level, dt, units: Some((units, self.data)), samples, notes, has_offset: false })
+        Ok(Found {
+            format: level,
+            dt,
+            units: Some((units, self.data)),
+            samples,
+            start: first,
+            notes,
+            has_offset: false,
+        })
     }
 
     /// A real of the header, unless it stands for what is not known.
@@ -96,11 +104,7 @@ impl<'t, 'a> Channel<'t, 'a> {
             4 | 10 => Some(Units::CentimetresPerSecondSquared),
             _ => None,
         };
-        let of_line = match units::of_line(said) {
-            Some((Named::Known(units), ..)) => Some(units),
-            Some((Named::Other, _, word)) => return Err(units::other(self.data, word)),
-            None => None,
-        };
+        let of_line = units::of_line(said).map(|(named, _)| named.known(self.data)).transpose()?;
         match (of_line, of_code) {
             (Some(line), Some(code)) if line != code => {
                 let message = format!(

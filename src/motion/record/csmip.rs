@@ -4,12 +4,12 @@
 //! likewise velocities and displacements, which are left. Columns touch where numbers are large. A file may have several channels, one after the other.
 
 use super::{
-    Found, RecordError, Units,
+    Found, RecordError,
     cosmos::one_of,
     error::shown,
     fixed::{self, Layout},
     text::{Text, contains, first_number, place_of, words},
-    units::{Named, of_word},
+    units::{Named, of_word, of_words},
 };
 
 const DATA: &str = "points of accel data equally spaced at";
@@ -41,8 +41,8 @@ pub fn read(text: &Text<'_>, channel: Option<usize>) -> Result<Found, RecordErro
             format!("`{}`; expected are the velocities after {count} values", shown(end)),
         ));
     }
-    let units = named(rest).map(|units| (units, line));
-    Ok(Found { format: "CSMIP V2", dt: Some((dt, line)), units, samples, ..Found::default() })
+    let units = named(rest).map(|named| named.known(line)).transpose()?.map(|units| (units, line));
+    Ok(Found { format: "CSMIP V2", dt: Some((dt, line)), units, samples, start: line + 1, ..Found::default() })
 }
 
 /// How many values, how far apart, and the rest of the line.
@@ -54,10 +54,7 @@ fn announced(line: &[u8]) -> Option<(usize, f64, &[u8])> {
 }
 
 /// The units in the rest of the line.
-fn named(rest: &[u8]) -> Option<Units> {
+fn named(rest: &[u8]) -> Option<Named<'_>> {
     let words = words(rest).map(|word| word.strip_suffix(b")").unwrap_or(word));
-    words.filter_map(of_word).find_map(|named| match named {
-        Named::Known(units) => Some(units),
-        Named::Other => None,
-    })
+    of_words(words.filter(|word| matches!(of_word(word), Some(Named::Known(_)))))
 }

@@ -28,6 +28,11 @@ impl RecordError {
         Self { file: Some(shown(file.as_bytes())), ..self }
     }
 
+    /// With more to say, if there is any.
+    pub(super) fn and(self, more: Option<String>) -> Self {
+        Self { message: self.message + &more.unwrap_or_default(), ..self }
+    }
+
     /// The line that is wrong, the first being 1; `None` if it is the whole file.
     #[must_use]
     pub const fn line(&self) -> Option<usize> {

@@ -2,7 +2,7 @@
 
 use std::{fs::File, io::Read, path::Path};
 
-use super::{Asked, MOST_BYTES, RecordError, Recorded, read};
+use super::{Asked, MOST_BYTES, RecordError, Recorded, line_with, read, text::Text};
 
 /// Reads the file of a recorded ground motion, no more of it than is allowed.
 ///
@@ -13,6 +13,12 @@ pub fn read_file(path: &Path, asked: &Asked) -> Result<Recorded, RecordError> {
     let bytes =
         bytes_of(path).map_err(|why| of_file(RecordError::whole(format!("the record can't be read: {why}"))))?;
     read(&bytes, asked).map_err(of_file)
+}
+
+/// In which line of the file of a record, from where its samples begin, a sample stands, and how it is typed there; `None` where it can't be found again.
+#[must_use]
+pub fn line_of_sample(path: &Path, read: &Recorded, sample: f64) -> Option<(usize, String)> {
+    line_with(&Text::new(&bytes_of(path).ok()?), read.start, sample)
 }
 
 fn bytes_of(path: &Path) -> std::io::Result<Vec<u8>> {

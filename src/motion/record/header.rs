@@ -64,6 +64,9 @@ pub fn npts_dt(number: usize, line: &[u8]) -> Result<Counted, RecordError> {
     let in_seconds = ["", "s", "sec", "secs", "second", "seconds", "npts"]
         .iter()
         .any(|known| unit.eq_ignore_ascii_case(known.as_bytes()));
+    if step <= 0.0 && in_seconds {
+        return Err(RecordError::at(number, format!("DT = {step} s in `{}`; expected is a step above 0", shown(line))));
+    }
     counted(number, count, step).filter(|_| in_seconds).ok_or_else(wrong)
 }
 

@@ -22,7 +22,7 @@ pub fn read(text: &Text<'_>) -> Result<Found, RecordError> {
     let (scale_line, (gal, divisor)) = scale(text)?;
     let (frequency_line, frequency) = value(text, "Sampling Freq(Hz)")?;
     let first = text.find(1, HEADER, "Memo").map_or(HEADER + 1, |memo| memo + 1);
-    let counts = rows::numbers(text, first)?.numbers;
+    let rows::Block { numbers: counts, end, .. } = rows::numbers(text, first)?;
     if let Some(count) = counts.iter().find(|count| count.fract() != 0.0) {
         return Err(RecordError::at(first, format!("the count {count}; expected are whole numbers from here on")));
     }
@@ -36,13 +36,14 @@ pub fn read(text: &Text<'_>) -> Result<Found, RecordError> {
     let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
     let from_mean: Vec<f64> = samples.iter().map(|sample| sample - mean).collect();
     let said = value(text, "Max. Acc.").or_else(|_| value(text, "Max Acc.")).ok();
-    let notes = said.and_then(|(line, said)| peak::differs(said, 1e-3, line, &from_mean)).into_iter().collect();
+    let notes = end.into_iter().chain(said.and_then(|(line, said)| peak::differs(said, 1e-3, line, &from_mean)));
     Ok(Found {
         format: "K-NET",
         dt: Some((1.0 / frequency, frequency_line)),
         units: Some((Units::CentimetresPerSecondSquared, scale_line)),
         samples,
-        notes,
+        start: first,
+        notes: notes.collect(),
         has_offset: true,
     })
 }

@@ -37,7 +37,7 @@ mod units;
 mod tests;
 
 pub use error::RecordError;
-pub use file::read_file;
+pub use file::{line_of_sample, read_file};
 pub use units::Units;
 
 use text::Text;
@@ -79,6 +79,10 @@ pub struct Recorded {
     pub units: Units,
     /// The accelerations at `k dt`, in `units`; at least two.
     pub samples: Vec<f64>,
+    /// The line of the file that gives the step, where one does.
+    pub dt_line: Option<usize>,
+    /// The line of the first sample.
+    pub start: usize,
     /// The name of the format.
     pub format: &'static str,
     /// What a reader should know: an offset that is not removed, times that do not begin at 0.
@@ -94,6 +98,8 @@ struct Found {
     /// With the line that names it.
     units: Option<(Units, usize)>,
     samples: Vec<f64>,
+    /// The line of the first sample.
+    start: usize,
     notes: Vec<String>,
     /// Whether the file is known to hold an offset, which is then always told.
     has_offset: bool,
@@ -121,6 +127,14 @@ pub fn read(bytes: &[u8], asked: &Asked) -> Result<Recorded, RecordError> {
     agree(found, asked)
 }
 
+/// The first line from one on that has a number of this value, and the number as it is typed.
+fn line_with(text: &Text<'_>, from: usize, value: f64) -> Option<(usize, String)> {
+    text.from(from).find_map(|(line, content)| {
+        let is_it = |field: &&[u8]| number::value(field) == Some(value);
+        rows::fields(content).find(is_it).map(|field| (line, error::shown(field)))
+    })
+}
+
 /// Refuses a column that is asked of a file with only one series.
 fn one_series(found: Found, column: Option<usize>) -> Result<Found, RecordError> {
     match column {
@@ -134,7 +148,8 @@ fn one_series(found: Found, column: Option<usize>) -> Result<Found, RecordError>
 
 /// Compares what the file says with what was asked.
 fn agree(found: Found, asked: &Asked) -> Result<Recorded, RecordError> {
-    let Found { format, dt, units, samples, mut notes, has_offset } = found;
+    let Found { format, dt, units, samples, start, mut notes, has_offset } = found;
+    let dt_line = dt.map(|(_, line)| line);
     let units = units::agree(units, asked.units)?;
     let dt = time_column::agree(dt, asked.step)?;
     match samples.len() {
@@ -142,5 +157,5 @@ fn agree(found: Found, asked: &Asked) -> Result<Recorded, RecordError> {
         n if n > MOST_SAMPLES => return Err(error::too_many()),
         _ => notes.extend(peak::offset(&samples, units, has_offset)),
     }
-    Ok(Recorded { dt, units, samples, format, notes })
+    Ok(Recorded { dt, units, samples, dt_line, start, format, notes })
 }

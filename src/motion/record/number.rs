@@ -61,6 +61,7 @@ pub fn decimals(text: &[u8]) -> (i32, Option<i32>) {
 pub fn error(line: usize, text: &[u8]) -> RecordError {
     let why = match text {
         [b'*', ..] => ": a number that did not fit into its column",
+        _ if is_hexadecimal(text) => ": a hexadecimal number",
         _ if field(text) == Field::Unusable => ": not a number that can be used",
         _ => "",
     };
@@ -118,6 +119,14 @@ fn exponent_of(text: &[u8]) -> i32 {
     value
         .unwrap_or(if digits.starts_with(b"-") { -9999 } else { i64::from(!digits.is_empty()) * 9999 })
         .clamp(-9999, 9999) as i32
+}
+
+/// Whether a field looks like a hexadecimal number: `0x1F`, `3FB9`.
+pub fn is_hexadecimal(text: &[u8]) -> bool {
+    let digits = text.get(2..).filter(|_| text.get(..2).is_some_and(|start| start.eq_ignore_ascii_case(b"0x")));
+    let has_both = || text.iter().any(u8::is_ascii_digit) && text.iter().any(u8::is_ascii_alphabetic);
+    let digits = digits.or_else(|| Some(text).filter(|_| has_both()));
+    digits.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit))
 }
 
 /// Whether a field is meant as a number that can't be used.

@@ -5,9 +5,10 @@
 
 use super::{
     Asked, Found, RecordError, at2,
+    cells::{column, columns, separator},
     error::shown,
     header::{self, Counted},
-    one_series, refuse,
+    number, one_series, refuse,
     rows::{self, Block},
     table,
     text::{Numbered, Text, contains},
@@ -26,6 +27,7 @@ pub fn read(text: &Text<'_>, asked: &Asked) -> Result<Found, RecordError> {
     if let Some((line, _)) = candidates.clone().find(is_given).or_else(|| candidates.next()) {
         return one_series(at2::read(text, *line)?, asked.column);
     }
+    almost_a_number(text, first)?;
     let numbered = counted(text, first);
     if numbered.is_none() && table::is(text, first, asked.column) {
         return table::read(text, first, asked);
@@ -33,7 +35,6 @@ pub fn read(text: &Text<'_>, asked: &Asked) -> Result<Found, RecordError> {
     let prose = || head.iter().find_map(|(number, line)| header::equal_spacing(*number, line));
     let counted = numbered.or_else(|| header::labelled(&head)).or_else(prose);
     let start = numbered.and_then(|counted| rows::first(text, counted.line + 1)).unwrap_or(first);
-    almost_a_number(text, first)?;
     one_series(series(text, &head, start, counted)?, asked.column)
 }
 
@@ -47,7 +48,7 @@ fn series(
     let block = rows::numbers(text, start)?;
     let lone = lone_count(text, start);
     let is_counted = counted.is_some() || lone.is_some();
-    let Block { numbers: mut samples, last, .. } = if is_counted { block } else { block.even()? };
+    let Block { numbers: mut samples, last, end, .. } = if is_counted { block } else { block.even()? };
     let mut dt = counted.map(|counted| (counted.dt, counted.line));
     if let Some(counted) = counted {
         counted.check(samples.len(), last)?;
@@ -58,7 +59,15 @@ fn series(
         samples.drain(..1 + usize::from(step.is_some()));
         Counted { count, dt: 0.0, line: start }.check(samples.len(), last)?;
     }
-    Ok(Found { format: "numbers in rows", dt, units: units::of_header(head)?, samples, ..Found::default() })
+    Ok(Found {
+        format: "numbers in rows",
+        dt,
+        units: units::of_header(head)?,
+        samples,
+        start,
+        notes: end.into_iter().collect(),
+        ..Found::default()
+    })
 }
 
 /// The number of samples, if the first line of numbers is only that: whole and above 1, before numbers that have a point.
@@ -77,25 +86,51 @@ fn counted(text: &Text<'_>, first: usize) -> Option<Counted> {
     (fields(next) != 2 || as_many()).then_some(counted)
 }
 
-/// Refuses a last header line that is a number with a slip in it: a sample that would be lost.
+/// Refuses a last header line that is a row with a slip in it: a sample that would be lost.
 fn almost_a_number(text: &Text<'_>, first: usize) -> Result<(), RecordError> {
     let Some((line, content)) = text.from(1).take(first - 1).filter(|(_, line)| !line.is_empty()).last() else {
         return Ok(());
     };
-    let is_slip = |field: &[u8]| {
+    let begins_with_a_slip = rows::fields(content).next().is_some_and(|field| {
         let field = field.strip_prefix(b"-").or(field.strip_prefix(b"+")).unwrap_or(field);
         let digits = field.iter().take_while(|byte| byte.is_ascii_digit()).count();
         field.get(digits) == Some(&b'.') && field.get(digits + 1).is_some_and(u8::is_ascii_digit)
-    };
-    let as_many = rows::fields(content).count() == rows::fields(text.line(first)).count();
-    match rows::fields(content).next().filter(|field| as_many && is_slip(field)) {
-        Some(_) => Err(RecordError::at(line, format!("`{}`; expected are a title or numbers", shown(content)))),
+    });
+    let is_row = begins_with_a_slip || separator(content).is_some() && begins_with_a_number(content);
+    match no_number(content).filter(|_| is_row && columns(content) == columns(text.line(first))) {
+        Some(field) => Err(slip(line, field, content, "a title or numbers")),
         None => Ok(()),
     }
 }
 
+fn begins_with_a_number(line: &[u8]) -> bool {
+    column(line, 1).is_some_and(|field| number::value(field).is_some())
+}
+
+/// The first field that is no number.
+fn no_number(line: &[u8]) -> Option<&[u8]> {
+    rows::fields(line).find(|field| number::value(field).is_none())
+}
+
+/// What is wrong with a row that has a slip in it.
+fn slip(line: usize, field: &[u8], content: &[u8], expected: &str) -> RecordError {
+    let inside = if field == content.trim_ascii() { String::new() } else { format!(" in `{}`", shown(content)) };
+    let hint = if number::is_hexadecimal(field) { ", perhaps a hexadecimal number" } else { "" };
+    RecordError::at(line, format!("`{}`{inside}{hint}; expected are {expected}", shown(field)))
+}
+
 /// There are no numbers.
 fn nothing(text: &Text<'_>) -> RecordError {
+    // Rows that begin with numbers, each with a field that is none.
+    let lines: Vec<Numbered<'_>> = text.from(1).filter(|(_, line)| !line.is_empty()).collect();
+    let is_row = |line: &[u8]| columns(line) > 1 && begins_with_a_number(line) && !header::is_npts_dt(line);
+    let rows = lines.iter().zip(lines.iter().skip(1));
+    let row = rows
+        .map(|(row, next)| (*row, next.1))
+        .find(|((_, row), next)| is_row(row) && is_row(next) && columns(row) == columns(next));
+    if let Some(((line, content), _)) = row {
+        return slip(line, no_number(content).unwrap_or(content), content, "numbers");
+    }
     let counted = text.from(1).find(|(_, line)| header::is_npts_dt(line));
     let prose = text.from(1).find(|(_, line)| !line.is_empty());
     let (line, content) = counted.or(prose).unwrap_or((1, b""));

@@ -46,6 +46,8 @@ pub struct Block {
     pub numbers: Vec<f64>,
     /// The last line that has any.
     pub last: usize,
+    /// The mark of the end after it, if there is one, in words: what is no number is not left out in silence.
+    pub end: Option<String>,
     /// The first line but the last that has not as many as the first line, and how many both have.
     uneven: Option<(usize, usize, usize)>,
 }
@@ -69,14 +71,15 @@ impl Block {
 /// # Errors
 /// When something else stands there, except a mark of the end after the last number.
 pub fn numbers(text: &Text<'_>, from: usize) -> Result<Block, RecordError> {
-    let mut block = Block { numbers: Vec::new(), last: from, uneven: None };
+    let mut block = Block { numbers: Vec::new(), last: from, end: None, uneven: None };
     let (mut a_line, mut short) = (0, None);
     for (line, content) in text.from(from) {
         let before = block.numbers.len();
         for mut rest in fields(content) {
             while !rest.is_empty() {
                 let Field::Number(value, after) = number::field(rest) else {
-                    return if is_end(text, line) { Ok(block) } else { Err(not_a_number(line, rest, content)) };
+                    block.end = end(text, line);
+                    return if block.end.is_some() { Ok(block) } else { Err(not_a_number(line, rest, content)) };
                 };
                 (rest, block.last) = (after, line);
                 block.numbers.push(value);
@@ -101,14 +104,37 @@ pub fn numbers(text: &Text<'_>, from: usize) -> Result<Block, RecordError> {
     Ok(block)
 }
 
-/// Whether a line is a mark of the end, such as `*** End Data ***`, after which no numbers come.
-pub fn is_end(text: &Text<'_>, line: usize) -> bool {
+/// What to tell of a line that is a mark of the end, such as `*** End Data ***` or a comment, after which no numbers come; `None` for any other line.
+pub fn end(text: &Text<'_>, line: usize) -> Option<String> {
     let content = text.line(line);
-    if matches!(content.trim_ascii_start().first(), Some(b'0'..=b'9' | b'.' | b'"')) {
-        return false;
+    let begins_otherwise =
+        fields(content).next().is_some_and(|field| !matches!(number::field(field), Field::Number(..)));
+    let speaks = speaks_of_end(content) || content.starts_with(b"#");
+    let is_end = kind(content) == Kind::Prose
+        && begins_otherwise
+        && !content.starts_with(b"\"")
+        && speaks
+        && first(text, line + 1).is_none();
+    is_end.then(|| format!("line {line}, `{}`, ends the numbers", shown(content)))
+}
+
+/// Whether a line has a word such as `End`.
+fn speaks_of_end(line: &[u8]) -> bool {
+    let mut words = line.split(|byte| !byte.is_ascii_alphabetic());
+    words.any(|word| word.get(..3).is_some_and(|start| start.eq_ignore_ascii_case(b"end")))
+}
+
+/// Refuses what should be numbers among the lines between a header and the first line of numbers: more numbers than words, or a mark of the end.
+pub fn check_between(text: &Text<'_>, from: usize, to: usize) -> Result<(), RecordError> {
+    for (line, content) in text.from(from).take(to.saturating_sub(from)) {
+        let is_number = |field: &&[u8]| number::field(field) != Field::Other;
+        let (all, numbers) = (fields(content).count(), fields(content).filter(is_number).count());
+        let word = fields(content).find(|field| !is_number(field));
+        if let Some(word) = word.filter(|_| 2 * numbers > all || speaks_of_end(content)) {
+            return Err(not_a_number(line, word, content));
+        }
     }
-    let speaks = super::text::contains(content, "end") || content.starts_with(b"#");
-    speaks && kind(content) == Kind::Prose && first(text, line + 1).is_none()
+    Ok(())
 }
 
 /// What is wrong with a field among numbers.

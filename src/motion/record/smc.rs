@@ -86,6 +86,7 @@ pub fn read(text: &Text<'_>) -> Result<Found, RecordError> {
         dt: Some((1.0 / rate, first_real)),
         units: Some((Units::CentimetresPerSecondSquared, 1)),
         samples,
+        start: first,
         notes,
         has_offset: false,
     })

@@ -45,14 +45,19 @@ pub fn is(text: &Text<'_>, first: usize, asked: Option<usize>) -> bool {
         return true;
     }
     let firsts: Option<Vec<Time<'_>>> =
-        data(text, first, 50).iter().map(|(line, content)| time(*line, content)).collect();
+        data(text, first, 50).0.iter().map(|(line, content)| time(*line, content)).collect();
     firsts.is_some_and(|times| times.len() > 2 && time_column::step(&times, Step::OfFile).is_ok())
 }
 
-/// The lines of data, up to a mark of the end.
-fn data<'a>(text: &Text<'a>, first: usize, most: usize) -> Vec<Numbered<'a>> {
+/// The lines of data, up to a mark of the end, and what to tell of that.
+fn data<'a>(text: &Text<'a>, first: usize, most: usize) -> (Vec<Numbered<'a>>, Option<String>) {
+    let mut end = None;
     let lines = text.from(first).filter(|(_, content)| !content.is_empty()).take(most);
-    lines.take_while(|(line, _)| !rows::is_end(text, *line)).collect()
+    let data = lines.take_while(|(line, _)| {
+        end = rows::end(text, *line);
+        end.is_none()
+    });
+    (data.collect(), end)
 }
 
 /// The time in the first column of a line.
@@ -66,7 +71,7 @@ pub fn read(text: &Text<'_>, first: usize, asked: &Asked) -> Result<Found, Recor
     let number = columns(text.line(first));
     let role = titles::first(text, first);
     titles::check(text, first)?;
-    let data = data(text, first, MOST_SAMPLES + 1);
+    let (data, end) = data(text, first, MOST_SAMPLES + 1);
     if data.len() > MOST_SAMPLES {
         return Err(error::too_many());
     }
@@ -86,7 +91,7 @@ pub fn read(text: &Text<'_>, first: usize, asked: &Asked) -> Result<Found, Recor
         number::value(field).ok_or_else(|| number::error(*line, field))
     };
     let samples = data.iter().map(sample).collect::<Result<_, _>>()?;
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = end.into_iter().collect();
     let dt = match &times {
         First::Times(times) => {
             let dt = time_column::step(times, asked.step)?;
@@ -103,7 +108,7 @@ pub fn read(text: &Text<'_>, first: usize, asked: &Asked) -> Result<Found, Recor
         First::Data => None,
     };
     let units = titles::units(text, first, number, wanted)?;
-    Ok(Found { format: "columns", dt, units, samples, notes, has_offset: false })
+    Ok(Found { format: "columns", dt, units, samples, start: first, notes, has_offset: false })
 }
 
 /// What the first column is.

@@ -5,7 +5,7 @@ use super::{
     cells::{column, columns},
     error::shown,
     text::{Numbered, Text, contains},
-    units::{self, Named},
+    units,
 };
 
 /// What the title of the first column says.
@@ -84,8 +84,7 @@ pub fn units(
         return Err(RecordError::at(line, message));
     }
     match units::of_title(title) {
-        Some((Named::Known(units), _)) => Ok(Some((units, line))),
-        Some((Named::Other, word)) => Err(units::other(line, word)),
+        Some(named) => Ok(Some((named.known(line)?, line))),
         None => units::of_header(&text.before(line)),
     }
 }

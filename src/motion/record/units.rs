@@ -5,6 +5,7 @@ use std::fmt;
 use super::{
     RecordError,
     error::shown,
+    number,
     text::{self, Numbered},
 };
 
@@ -52,50 +53,98 @@ const OTHERS: [&str; 24] = [
     "mm/s2", "mm/s^2", "mm/sec2", "mm/s/s", "in/s2", "in/s^2", "in/sec2", "ft/s2", "mg", "counts",
 ];
 
-/// What a word names, if it is a unit.
+/// Those of them that are accelerations.
+const OTHER_ACCELERATIONS: [&str; 8] = ["mm/s2", "mm/s^2", "mm/sec2", "mm/s/s", "in/s2", "in/s^2", "in/sec2", "ft/s2"];
+
+/// What some words name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Named {
+pub enum Named<'a> {
     /// A unit that is read.
     Known(Units),
     /// One that is not.
-    Other,
+    Other(&'a [u8]),
+    /// Two that contradict each other.
+    Two(&'a [u8], &'a [u8]),
+}
+
+impl Named<'_> {
+    /// The unit, if it is one that is read.
+    ///
+    /// # Errors
+    /// Otherwise, with what stands in the line.
+    pub fn known(self, line: usize) -> Result<Units, RecordError> {
+        match self {
+            Self::Known(units) => Ok(units),
+            Self::Other(word) => Err(other(line, word)),
+            Self::Two(one, another) => Err(RecordError::at(
+                line,
+                format!("two units are named, `{}` and `{}`; expected is one of them", shown(one), shown(another)),
+            )),
+        }
+    }
 }
 
 /// The unit that a word is.
-pub fn of_word(word: &[u8]) -> Option<Named> {
-    let lower = word.to_ascii_lowercase();
-    let word = std::str::from_utf8(&lower).ok()?;
-    let word = word.trim_end_matches('.').replace("sec", "s").replace("**", "^").replace("²", "2");
+pub fn of_word(word: &[u8]) -> Option<Named<'_>> {
+    let plain = plain(word)?;
     let squared = |length: &str| {
-        let rest = word.strip_prefix(length);
+        let rest = plain.strip_prefix(length);
         rest.is_some_and(|rest| ["/s2", "/s^2", "/s/s", "/s2/s0", "/(s^2)", "*s^-2", " s-2"].contains(&rest))
     };
-    Some(match word.as_str() {
+    Some(match plain.as_str() {
         "g" | "g's" | "gs" => Named::Known(Units::G),
         "gal" | "gals" => Named::Known(Units::CentimetresPerSecondSquared),
         _ if squared("cm") => Named::Known(Units::CentimetresPerSecondSquared),
         _ if squared("m") => Named::Known(Units::MetresPerSecondSquared),
-        other if OTHERS.contains(&other) => Named::Other,
+        other if OTHERS.contains(&other) => Named::Other(word),
         _ => return None,
     })
 }
 
-/// The unit that a line names, as in `UNITS OF G`, `units=cm/sec2(04)`, `The units are (g)`, or, more weakly, `Accel[g]`; whether it speaks of units,
-/// and the word.
-pub fn of_line(line: &[u8]) -> Option<(Named, bool, &[u8])> {
+/// A word in small letters, with seconds and squares written in one way.
+fn plain(word: &[u8]) -> Option<String> {
+    let lower = word.to_ascii_lowercase();
+    let word = std::str::from_utf8(&lower).ok()?;
+    Some(word.trim_end_matches('.').replace("sec", "s").replace("**", "^").replace("²", "2"))
+}
+
+/// The unit that some words name: the first of them, if no later one is of another acceleration. A number in front makes a multiple of a first one, which is
+/// no unit, and a quantity of a later one, as in `peak 0.3 g`.
+pub fn of_words<'a>(words: impl Iterator<Item = &'a [u8]>) -> Option<Named<'a>> {
+    let is_acceleration = |word: &[u8]| plain(word).is_some_and(|word| OTHER_ACCELERATIONS.contains(&word.as_str()));
+    let mut found: Option<(Units, &[u8])> = None;
+    let mut factor = None;
+    for word in words {
+        match (of_word(word), found, factor) {
+            (Some(Named::Known(_)), None, Some(factor)) => return Some(Named::Other(factor)),
+            (Some(Named::Known(units)), None, None) => found = Some((units, word)),
+            (Some(other), None, _) => return Some(other),
+            (Some(Named::Known(units)), Some((before, first)), None) if units != before => {
+                return Some(Named::Two(first, word));
+            }
+            (Some(Named::Other(_)), Some((_, first)), None) if is_acceleration(word) => {
+                return Some(Named::Two(first, word));
+            }
+            _ => {}
+        }
+        factor = number::value(word).filter(|factor| *factor != 1.0).map(|_| word);
+    }
+    found.map(|(units, _)| Named::Known(units))
+}
+
+/// The unit that a line names, as in `UNITS OF G`, `units=cm/sec2(04)`, `The units are (g)`, or, more weakly, `Accel[g]`; and whether it speaks of units.
+pub fn of_line(line: &[u8]) -> Option<(Named<'_>, bool)> {
     if let Some(place) = text::place_of(line, "unit") {
         let rest = line.get(place..).unwrap_or_default();
-        return parts(rest).take(8).find_map(|word| of_word(word).map(|named| (named, true, word)));
+        return of_words(parts(rest).take(8)).map(|named| (named, true));
     }
-    bracketed(line).find_map(|word| match of_word(word) {
-        Some(Named::Known(units)) => Some((Named::Known(units), false, word)),
-        _ => None,
-    })
+    let known = bracketed(line).filter(|word| matches!(of_word(word), Some(Named::Known(_))));
+    of_words(known).map(|named| (named, false))
 }
 
 /// The unit that a title such as `Accel[g]` or `acc_ns (cm/s2)` has in brackets.
-pub fn of_title(title: &[u8]) -> Option<(Named, &[u8])> {
-    bracketed(title).find_map(|word| of_word(word).map(|named| (named, word)))
+pub fn of_title(title: &[u8]) -> Option<Named<'_>> {
+    of_words(bracketed(title))
 }
 
 /// The unit that some header lines name, with the line. A line that speaks of units counts more than one in brackets.
@@ -103,19 +152,16 @@ pub fn of_header(lines: &[Numbered<'_>]) -> Result<Option<(Units, usize)>, Recor
     for speaks in [true, false] {
         let mut found: Option<(Units, usize)> = None;
         for &(number, line) in lines {
-            match (of_line(line), found) {
-                (Some((_, said, _)), _) if said != speaks => {}
-                (Some((Named::Other, _, word)), _) => return Err(other(number, word)),
-                (Some((Named::Known(units), ..)), None) => found = Some((units, number)),
-                (Some((Named::Known(units), ..)), Some((before, at))) if units != before => {
-                    return Err(RecordError::at(
-                        number,
-                        format!(
-                            "the file says that its units are {units}, and {before} at line {at}; expected is one of them"
-                        ),
-                    ));
+            let Some((named, _)) = of_line(line).filter(|(_, said)| *said == speaks) else { continue };
+            let units = named.known(number)?;
+            match found {
+                Some((before, at)) if units != before => {
+                    let message = format!(
+                        "the file says that its units are {units}, and {before} at line {at}; expected is one of them"
+                    );
+                    return Err(RecordError::at(number, message));
                 }
-                _ => {}
+                _ => found = found.or(Some((units, number))),
             }
         }
         if found.is_some() {

@@ -13,7 +13,10 @@ use super::{
     Block, ROUNDING, SceneError, Text,
     file::{Amplitude, Duration, Frequency, GroundFields, PulseName, RecordFields, SineFields, Time},
 };
-use crate::motion::record::{self, Asked, Recorded, Step, Units};
+use crate::motion::record::{self, Asked, Step, Units};
+
+/// How far apart samples may be.
+const STEPS: &str = "1e-9 to 1e9 (in tau, times time_scale)";
 
 /// A motion of the ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -182,11 +185,15 @@ impl Reader<'_> {
         let time_scale = number("time_scale", &record.time_scale, 1e-6, "1e-6 to 1e6")?;
         let units = record.units.as_ref().map(|units| self.units(units)).transpose()?;
         let column = record.column.as_ref().map(|column| self.column(column)).transpose()?;
+        let is_step = |tau: f64| (1e-9..=1e9).contains(&(tau * time_scale));
         let (step, in_tau) = match &record.dt {
             None => (Step::OfFile, None),
             Some(dt) => {
-                let (Time::Seconds(value) | Time::Tau(value)) = *dt.get_ref();
-                self.text.check("dt", value, &dt.span(), |value| value > 0.0 && value <= 1e9, "above 0, up to 1e9")?;
+                let (value, tau) = match *dt.get_ref() {
+                    Time::Seconds(seconds) => (seconds, seconds * p),
+                    Time::Tau(tau) => (tau, tau),
+                };
+                self.text.check("dt", value, &dt.span(), |_| is_step(tau), STEPS)?;
                 match *dt.get_ref() {
                     Time::Seconds(seconds) => (Step::Seconds(seconds), None),
                     Time::Tau(tau) => (Step::Elsewhere, Some(tau)),
@@ -196,7 +203,12 @@ impl Reader<'_> {
         let path = self.folder.join(record.file.get_ref());
         let at_file = |said: String| self.text.error(&record.file.span(), said);
         let read = record::read_file(&path, &Asked { units, step, column });
-        let Recorded { dt, units, samples, notes, .. } = read.map_err(|error| at_file(error.to_string()))?;
+        let mut read = read.map_err(|error| at_file(error.to_string()))?;
+        let (dt, units) = (read.dt, read.units);
+        let in_file = |line: Option<usize>, said: String| {
+            let line = line.map_or(String::new(), |line| format!(" line {line}:"));
+            at_file(format!("{}:{line} {said}", path.display()))
+        };
         let unit = match units {
             Units::G => self.block.gravity / self.threshold(),
             Units::MetresPerSecondSquared => 1.0 / self.threshold(),
@@ -215,8 +227,23 @@ impl Reader<'_> {
         let dt = in_tau.or(of_file).map(|dt| dt * time_scale);
         let dt =
             dt.ok_or_else(|| at_file("dt: the file does not say it: { seconds = .. } or { tau = .. }".to_owned()))?;
-        let motion =
-            Motion::record(dt, direction * scale * unit, samples).map_err(|invalid| at_file(invalid.to_string()))?;
+        if let Some(seconds) = read.dt.filter(|seconds| in_tau.is_none() && !is_step(seconds * p)) {
+            return Err(in_file(read.dt_line, Invalid::new("dt", format!("{seconds:?} s"), STEPS).to_string()));
+        }
+        let factor = direction * scale * unit;
+        if let Some(sample) = read.samples.iter().copied().find(|sample| (sample * factor).abs() > Motion::MOST) {
+            let (line, typed) = record::line_of_sample(&path, &read, sample).unzip();
+            let typed = typed.unwrap_or_else(|| format!("{sample:?}"));
+            let times = Some(direction * scale).filter(|factor| *factor != 1.0);
+            let times = times.map_or(String::new(), |factor| format!(", times {factor},"));
+            let said = format!(
+                "the sample {typed} ({units}){times} is {:e} thresholds of this block; allowed is up to 1e6",
+                sample * factor
+            );
+            return Err(in_file(line, said));
+        }
+        let (samples, notes) = (std::mem::take(&mut read.samples), std::mem::take(&mut read.notes));
+        let motion = Motion::record(dt, factor, samples).map_err(|invalid| at_file(invalid.to_string()))?;
         let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
         let over_slender = None;
         Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, over_slender, file: Some(path), notes })
