@@ -45,10 +45,12 @@ pub struct Asked<'a> {
     pub width: f64,
 }
 
-/// The bouts, and whether all of them are there. Where not, it is not clear whether there is another one.
-pub struct Bouts<F> {
-    pub bouts: Vec<Bout<F>>,
-    pub is_whole: bool,
+/// What is known of a response.
+pub enum Known<F> {
+    /// All of its bouts.
+    Whole(Vec<Bout<F>>),
+    /// The bouts before the ground touches the threshold so closely that it is not clear whether there is another one.
+    Until(Vec<Bout<F>>),
 }
 
 /// Later than any response ends.
@@ -57,7 +59,7 @@ const FOREVER: f64 = 1e9;
 const MOST_IMPACTS: usize = 50_000;
 
 /// Follows the block.
-pub fn follow<F: Directed>(asked: &Asked<'_>) -> Bouts<F> {
+pub fn follow<F: Directed>(asked: &Asked<'_>) -> Known<F> {
     let ground = Shaking::<F>::new(asked.motion);
     let alpha = asked.body.alpha();
     let motion = Motion::new(ground.amplitude(), ground.rate, alpha);
@@ -67,15 +69,15 @@ pub fn follow<F: Directed>(asked: &Asked<'_>) -> Bouts<F> {
     loop {
         let (moment, side, from) = match departure {
             Departure::At(moment, side, from) => (moment, side, from),
-            Departure::Never => return Bouts { bouts, is_whole: true },
-            Departure::Unclear => return Bouts { bouts, is_whole: false },
+            Departure::Never => return Known::Whole(bouts),
+            Departure::Unclear => return Known::Until(bouts),
         };
         let (bout, last) = run.bout(moment, side, from);
         let rests = matches!(bout.end, BoutEnd::Rest(_));
         bouts.push(bout);
         match last.filter(|_| rests) {
             Some(last) => departure = run.next(&last),
-            None => return Bouts { bouts, is_whole: true },
+            None => return Known::Whole(bouts),
         }
     }
 }

@@ -4,7 +4,7 @@ use contract::{Body, Decline, Followed, Model, Motion};
 
 use crate::{
     bounds::Bounds,
-    bouts::{self, Asked, Bout, BoutEnd, Bouts},
+    bouts::{self, Asked, Bout, BoutEnd, Known},
     directed::Directed,
     enclosed_impact::{EnclosedImpact, enclosed_impact, estimate},
     interval::Interval,
@@ -59,6 +59,9 @@ impl Enclosure {
     }
 }
 
+/// Why it is not known whether a block rocks at all.
+const TOUCHES: &str = "the ground reaches the threshold so narrowly that it is not decided whether the block rocks";
+
 /// A whole response followed with some number of digits.
 struct FollowingBouts<'a> {
     body: Body,
@@ -72,7 +75,10 @@ impl Attempt for FollowingBouts<'_> {
 
     fn with<F: Directed>(&self) -> (Self::Answer, bool) {
         let asked = Asked { body: &self.body, motion: self.motion, followed: self.asked, width: 0.5 * self.width };
-        let Bouts { bouts, is_whole } = bouts::follow::<F>(&asked);
+        let (mut bouts, is_whole) = match bouts::follow::<F>(&asked) {
+            Known::Whole(bouts) => (bouts, true),
+            Known::Until(bouts) => (bouts, false),
+        };
         let narrow = |interval: &Interval<F>| interval.relative_width() <= self.width;
         let good = |bout: &Bout<F>| {
             let impacts = bout.impacts.iter().all(|i| narrow(&i.time) && narrow(&i.interval) && narrow(&i.speed));
@@ -86,6 +92,13 @@ impl Attempt for FollowingBouts<'_> {
                 }
         };
         let good = is_whole && bouts.iter().all(good);
+        if !is_whole {
+            // Whoever reads a last rest takes it that the block rests from there on.
+            match bouts.last_mut() {
+                Some(last) => last.end = BoutEnd::Unclear,
+                None => return (Err(Decline::NotConvergent { why: TOUCHES.to_owned() }), false),
+            }
+        }
         let enclosed: Option<Vec<_>> = bouts.into_iter().map(enclosed_bout).collect();
         let answer = enclosed.ok_or_else(|| Decline::NotConvergent { why: "a bound is not a number".to_owned() });
         (answer, good)

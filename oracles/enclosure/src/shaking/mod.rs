@@ -104,6 +104,24 @@ impl<F: Directed> Shaking<F> {
         found.unwrap_or_else(|| Acceleration { value: Interval::zero(), slope: Interval::zero() })
     }
 
+    /// `f` just after a part has begun: as it is given, where it is.
+    fn at_start(&self, moment: &Moment<F>) -> Acceleration<F> {
+        match &self.kind {
+            Kind::Record(record) => record.first(moment.part),
+            Kind::Sinusoids(_) | Kind::Ricker(_) => None,
+        }
+        .unwrap_or_else(|| self.acceleration(moment))
+    }
+
+    /// A bound on `|f|` in a part.
+    fn most(&self, part: usize) -> Interval<F> {
+        match &self.kind {
+            Kind::Sinusoids(sums) => sums.most(part),
+            Kind::Record(record) => record.most(part),
+            Kind::Ricker(_) => self.amplitude.clone(),
+        }
+    }
+
     /// A bound on `|f''|` in a part.
     pub fn bend(&self, part: usize) -> Interval<F> {
         match &self.kind {

@@ -1,6 +1,6 @@
 //! When the ground next pushes a resting block off its base, proven to be the first time: where `|f|` passes 1, or jumps past it.
 
-use super::{Acceleration, Moment, Shaking};
+use super::{Acceleration, Kind, Moment, Shaking};
 use crate::{directed::Directed, interval::Interval, pull::Side};
 
 /// What comes next for a block at rest.
@@ -66,7 +66,7 @@ impl<F: Directed> Shaking<F> {
 
     /// Whether the ground pushes at the start of a part: `Never` if not there, `None` if that is not clear.
     fn push_at_start(&self, moment: &Moment<F>) -> Option<Push<F>> {
-        let Acceleration { value, slope } = self.acceleration(moment);
+        let Acceleration { value, slope } = self.at_start(moment);
         let one = Interval::exactly(1.0);
         let size = value.absolute();
         if one.is_below(&size) {
@@ -87,8 +87,11 @@ impl<F: Directed> Shaking<F> {
     /// The first crossing in the rest of a part.
     fn crossing(&self, moment: &Moment<F>, until: f64) -> Found<F> {
         let end = self.end(moment.part);
-        if self.bend(moment.part).magnitude() == 0.0 {
-            return end.map_or(Found::Nothing, |end| self.cell(moment.part, &moment.time, &end, 0.0));
+        if self.most(moment.part).magnitude() <= 1.0 {
+            return Found::Nothing;
+        }
+        if let Kind::Record(record) = &self.kind {
+            return self.crossing_of_line(moment, &record.last(moment.part));
         }
         let scale = self.scale();
         let last = end.as_ref().map_or(f64::INFINITY, |end| end.upper.double_above()).min(until);
@@ -108,6 +111,19 @@ impl<F: Directed> Shaking<F> {
             from = to;
         }
         Found::Nothing
+    }
+
+    /// Where a straight line that is within the threshold at a moment crosses it, if it ends beyond.
+    fn crossing_of_line(&self, moment: &Moment<F>, last: &Interval<F>) -> Found<F> {
+        let one = Interval::exactly(1.0);
+        if last.magnitude() <= 1.0 {
+            return Found::Nothing;
+        }
+        let Some(end) = self.end(moment.part).filter(|_| one.is_below(&last.absolute())) else { return Found::Unclear };
+        let slope = self.acceleration(moment).slope;
+        let threshold = if last.is_positive() { one } else { -&one };
+        let root = &end - &(&(last - &threshold) / &slope);
+        Found::Crossing(root.and(&moment.time.or(&end)), against(last))
     }
 
     /// The first crossing in a cell, if `|f|` is not above 1 where it begins.
@@ -135,7 +151,7 @@ impl<F: Directed> Shaking<F> {
                 return Found::Crossing(root, against(&end.value));
             }
         }
-        if !(length.magnitude() > shortest) || shortest == 0.0 {
+        if !(length.magnitude() > shortest) {
             return Found::Unclear;
         }
         let middle = (left + &(&length * &half)).centre();

@@ -37,13 +37,25 @@ impl<F: Directed> Record<F> {
     }
 
     pub fn acceleration(&self, time: &Interval<F>, part: usize) -> Option<Acceleration<F>> {
-        if part >= self.parts() {
-            return None;
-        }
-        let from = self.sample(part);
-        let slope = &(&self.sample(part + 1) - &from) / &self.dt;
+        let Acceleration { value, slope } = self.first(part)?;
         let since = time - &self.time(part);
-        Some(Acceleration { value: &from + &(&slope * &since), slope })
+        Some(Acceleration { value: &value + &(&slope * &since), slope })
+    }
+
+    /// What the line of a part ends at: the sample itself, without the error of going there.
+    pub fn last(&self, part: usize) -> Interval<F> {
+        if part < self.parts() { self.sample(part + 1) } else { Interval::zero() }
+    }
+
+    /// What the line of a part starts at, and its slope.
+    pub fn first(&self, part: usize) -> Option<Acceleration<F>> {
+        let (value, last) = (self.sample(part), self.last(part));
+        (part < self.parts()).then(|| Acceleration { slope: &(&last - &value) / &self.dt, value })
+    }
+
+    /// A bound on `|f|` in a part.
+    pub fn most(&self, part: usize) -> Interval<F> {
+        self.sample(part).absolute().or(&self.last(part).absolute())
     }
 
     pub fn amplitude(&self) -> Interval<F> {

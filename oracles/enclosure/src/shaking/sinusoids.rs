@@ -107,11 +107,13 @@ impl<F: Directed> Sinusoids<F> {
     }
 
     pub fn amplitude(&self) -> Interval<F> {
-        let of = |terms: &[Term<F>]| {
-            let sizes = terms.iter().map(|term| Interval::exactly(term.amplitude.magnitude()));
-            sizes.fold(Interval::zero(), |sum, size| &sum + &size)
-        };
-        self.stretches.iter().fold(Interval::zero(), |most, (_, terms)| most.or(&of(terms)))
+        (0..self.parts()).fold(Interval::zero(), |most, part| most.or(&self.most(part)))
+    }
+
+    /// A bound on `|f|` in a part.
+    pub fn most(&self, part: usize) -> Interval<F> {
+        let sizes = self.terms(part).iter().map(|term| Interval::exactly(term.amplitude.magnitude()));
+        sizes.fold(Interval::zero(), |sum, size| &sum + &size)
     }
 
     pub fn rate(&self) -> f64 {

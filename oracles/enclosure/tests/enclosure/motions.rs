@@ -87,6 +87,50 @@ fn a_record_of_three_samples() {
     }
 }
 
+/// A ground that touches the threshold and turns back pushes nothing: neither at a sample of a record nor at the peak of a sinusoid of amplitude 1. What comes
+/// after is not lost. Once the line of `f = 1.3 - 13 s` has ended, the block rocks free.
+#[test]
+fn what_follows_a_touch_is_not_lost() {
+    for (before, starts) in
+        [(vec![], "0.076923"), (vec![0.0, 0.5, 1.0, 0.5], "0.576923"), (vec![0.0, 1.0, 1.0, -1.0], "0.576923")]
+    {
+        let samples = before.into_iter().chain([0.0, 0.0, 1.3, 0.0, 0.0]).collect();
+        let bouts = bouts(17, 0.8, &Motion::record(0.1, 1.0, samples).unwrap(), &ASKED);
+        let [bout] = bouts.as_slice() else { panic!("{} bouts", bouts.len()) };
+        let begins: f64 = starts.parse().unwrap();
+        assert!(
+            (bout.begin.middle().0 - if begins > 0.5 { begins } else { 0.1 + begins }).abs() < 1e-6,
+            "{:?}",
+            bout.begin
+        );
+        let lasts = rest(bout).middle().0 - bout.begin.middle().0;
+        assert!((lasts - 0.274_666).abs() < 1e-6, "{lasts}");
+    }
+    let touching = Stretch { until: 4.0, terms: vec![Sinusoid { amplitude: 1.0, omega: 2.0, phase: 0.3 }] };
+    let beyond = Stretch { until: 7.0, terms: vec![Sinusoid { amplitude: 1.2, omega: 2.0, phase: 0.0 }] };
+    let bouts = bouts(17, 0.6, &Motion::sinusoids(vec![touching, beyond]).unwrap(), &ASKED);
+    assert!(bouts[0].begin.lower() >= 4.0 && matches!(bouts[0].end, EnclosedEnd::Rest(_)), "{bouts:?}");
+}
+
+/// `9/8 cos 2t - 1/8 cos 4t` is 1 at its peak at `t = pi`, but for the rounding of the phases: nobody knows whether the block rocks there, and nothing is said
+/// of it, nor of what follows.
+#[test]
+fn a_touch_that_is_not_decided_is_told() {
+    let wave = |amplitude, omega| Sinusoid { amplitude, omega, phase: core::f64::consts::FRAC_PI_2 };
+    let motion = |first| {
+        let first = Stretch { until: 2.5, terms: vec![Sinusoid { amplitude: first, omega: 3.0, phase: 0.0 }] };
+        let touching = Stretch { until: 4.0, terms: vec![wave(1.125, 2.0), wave(-0.125, 4.0)] };
+        let beyond = Stretch { until: 7.0, terms: vec![wave(1.2, 2.0)] };
+        Motion::sinusoids(vec![first, touching, beyond]).unwrap()
+    };
+    let enclosure = Enclosure::new(Model::Linear).with_digits(17).unwrap();
+    let ask = |first| enclosure.enclose_on(&Body::new(0.6, None).unwrap(), &motion(first), &ASKED);
+    assert!(ask(0.5).unwrap_err().to_string().contains("not decided whether the block rocks"));
+    let known = ask(1.05).unwrap();
+    assert!(known.last().unwrap().begin.lower() < 2.5);
+    assert_eq!(known.last().map(|bout| &bout.end), Some(&EnclosedEnd::Undecided));
+}
+
 /// The wavelets against their formulas: where they start to push, and that a mirror image is one.
 #[test]
 fn wavelets_push_where_their_formula_passes_the_threshold() {
