@@ -16,7 +16,8 @@ pub struct Certain {
     pub impact: usize,
     /// When that was, `τ`.
     pub time: f64,
-    /// The bounds on the time of rest that were proven then, `τ`; none on still ground, where it is the sum itself.
+    /// The bounds on the time of rest that hold from then on, `τ`: proven of an impact as it was found, and wider by what rounding may have done to the flights of the
+    /// bout. None on still ground, where it is the sum itself.
     pub between: Option<(f64, f64)>,
 }
 
@@ -59,7 +60,10 @@ pub fn criteria(
     let of = |bout: &Bout| {
         let certain = departures(bout, eta).find_map(|(impact, departure)| {
             let time = departure.time;
-            let bounds = |left: Estimate| (time + left.value - left.uncertainty, time + left.value + left.uncertainty);
+            let bounds = |left: Estimate| {
+                let (rest, off) = (time + left.value, left.uncertainty + bout.conditioning);
+                (rest - off, rest + off)
+            };
             solver.rests(&departure).then(|| Certain {
                 impact,
                 time,
@@ -68,7 +72,9 @@ pub fn criteria(
         });
         let predicted = departures(bout, eta).find_map(|(impact, departure)| {
             let (left, time) = (closure.time_left(&departure).ok()?, departure.time);
-            Some(Predicted { impact, time, rest: Estimate { value: time + left.value, ..left } })
+            // It does not know how far off the impact is that it starts from.
+            let rest = Estimate { value: time + left.value, uncertainty: left.uncertainty + bout.conditioning };
+            Some(Predicted { impact, time, rest })
         });
         let rests = bout.outcome.is_rest();
         let gap_end = if rests { ground::next_push(&request.motion, bout.end()).map(|push| push.time) } else { None };

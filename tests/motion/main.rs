@@ -13,6 +13,7 @@ mod plan;
 mod plan_on_motion;
 mod proven;
 mod response;
+mod rounding;
 mod rows;
 mod scenes;
 mod slender_threshold;

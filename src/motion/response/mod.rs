@@ -7,6 +7,7 @@
 mod fall;
 mod lobes;
 mod peak;
+mod rounding;
 mod run;
 mod sample;
 mod shaken;
@@ -15,11 +16,12 @@ mod termination;
 
 use std::sync::Arc;
 
-use contract::{Arrival, Body, Case, Decline, Invalid, Loss, Motion, Oracle, Slenderness};
+use contract::{Arrival, Body, Case, Decline, Invalid, Loss, Model, Motion, Oracle, Slenderness};
 
 pub use super::walk::Flight;
 pub use lobes::{Lobe, Lobes};
 pub use peak::Peak;
+use rounding::Way;
 pub use sample::{Sample, State, Window};
 pub use shaken::Shaken;
 pub use termination::Termination;
@@ -238,10 +240,15 @@ impl Response {
         let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
         // A record has been divided by the threshold: some roundings of each sample.
         let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
-        let body = Body::new(request.body.eta() * (1.0 - 0.5 * f64::EPSILON), request.body.alpha()).map_err(border)?;
-        let other = OnMotion { body, motion: Arc::new(motion), ..request.clone() };
+        let other = OnMotion { motion: Arc::new(motion), ..request.clone() };
         let coarser = oracle.coarser();
-        Ok(response.with_conditioning(&Self::once_on_motion(coarser.as_deref().unwrap_or(oracle), &other)?))
+        let response = response.with_conditioning(&Self::once_on_motion(coarser.as_deref().unwrap_or(oracle), &other)?);
+        let way = Way {
+            eta: request.body.eta(),
+            is_integrated: coarser.is_some(),
+            is_linear: oracle.model() == Model::Linear,
+        };
+        Ok(response.with_rounding(way))
     }
 
     /// The same, of which it is not said what rounding does to it.
@@ -264,6 +271,20 @@ impl Response {
             bout.conditioning = if parted { f64::INFINITY } else { moved };
             if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
                 *uncertainty += bout.conditioning;
+            }
+        }
+        self
+    }
+
+    /// Adds what rounding in each flight does to when the block rests.
+    fn with_rounding(mut self, way: Way) -> Self {
+        for bout in &mut self.bouts {
+            if let BoutEnd::Complete { .. } = bout.outcome {
+                let rounding = rounding::of_rest(bout, &self.ground, way);
+                bout.conditioning += rounding;
+                if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
+                    *uncertainty += rounding;
+                }
             }
         }
         self
