@@ -134,11 +134,13 @@ fn the_found_scenes_are_answered_right() {
 /// A ground that touches the threshold exactly pushes nothing, and hides nothing that comes after.
 #[test]
 fn a_touch_of_the_threshold_is_no_push() {
-    for oracle in ["closed-form", "taylor", "enclosure"] {
+    for oracle in ["closed-form", "taylor", "ode", "enclosure"] {
         let answer = json(&["response", "data/scenes/found/touches.toml", "--oracle", oracle]);
         let bouts = answer["bouts"].as_array().unwrap();
         let near = |value: &serde_json::Value, right: f64| (value.as_f64().unwrap() - right).abs() < 1e-6;
-        assert!(bouts.len() == 1 && bouts[0]["ending"] == "complete", "{oracle}: {answer}");
+        // In doubles it hangs on the last digit of a sample, and that is said; the judge takes the sample as it is.
+        let said = if oracle == "enclosure" { "complete" } else { "unsure" };
+        assert!(bouts.len() == 1 && bouts[0]["ending"] == said, "{oracle}: {answer}");
         assert!(near(&bouts[0]["from"], 0.576_923) && near(&bouts[0]["to"], 0.851_589), "{oracle}: {answer}");
     }
 }

@@ -24,9 +24,14 @@ const LISTED: usize = 1;
 struct Answer<'a> {
     title: &'a str,
     oracle: String,
+    /// What the proof is of.
+    proven_of: &'static str,
     frequency_parameter: f64,
     bouts: Vec<Row>,
 }
+
+/// A scene becomes numbers over the threshold and over `τ`, and a named pulse the sinusoids that it is the sum of.
+const PROVEN_OF: &str = "the block and the motion with their numbers rounded to doubles";
 
 /// Times are `τ` since the start of the motion; bounds are decimals, rounded outward.
 #[derive(Serialize)]
@@ -80,8 +85,8 @@ pub(super) fn run(arguments: &Arguments, scene: &Scene, files: &Files) -> anyhow
     let bouts = bouts.map_err(|decline| anyhow!("{oracle} declines: {decline}"))?;
     let rows: Vec<Row> = bouts.iter().map(|bout| row(bout, arguments.impacts.is_some())).collect();
     let is_open = bouts.iter().any(|proven| proven.bout.end == BoutEnd::Undecided);
-    let answer =
-        Answer { title: &scene.title, oracle, frequency_parameter: scene.block.frequency_parameter(), bouts: rows };
+    let frequency_parameter = scene.block.frequency_parameter();
+    let answer = Answer { title: &scene.title, oracle, proven_of: PROVEN_OF, frequency_parameter, bouts: rows };
     match arguments.format {
         Some(Format::Json) => print(&json(&answer, false)?)?,
         Some(Format::JsonLine) => print(&json(&answer, true)?)?,
@@ -115,9 +120,9 @@ fn row(ProvenBout { bout, begin, rest }: &ProvenBout, lists: bool) -> Row {
     }
 }
 
-fn text(Answer { title, oracle, bouts, .. }: &Answer) -> String {
-    let mut lines =
-        vec![format!("{}, proven by {oracle}; times are tau", if title.is_empty() { "(no title)" } else { title })];
+fn text(Answer { title, oracle, proven_of, bouts, .. }: &Answer) -> String {
+    let title = if title.is_empty() { "(no title)" } else { title };
+    let mut lines = vec![format!("{title}, proven by {oracle} of {proven_of}; times are tau")];
     for Row { from_lower, from_upper, lower, upper, ending, .. } in bouts {
         lines.push(format!("  rocks from {from_lower}\n          to {from_upper}"));
         lines.push(match (lower, upper) {

@@ -55,17 +55,17 @@ pub(super) fn of_rest(bout: &Bout, ground: &Shaken, way: Way) -> f64 {
     let more = if way.is_integrated { INTEGRATED } else { 1.0 };
     let mut sum = f64::EPSILON * CLOCK * bout.end();
     for flight in bout.flights.iter().rev() {
-        let (pulls, start) = (around.pulls(flight), bout.lobe.start + flight.start);
+        let (pulls, now) = (around.pulls(flight), (bout.lobe.start + flight.end).abs());
         let flown = Flown { flight, pulls, eta: way.eta, next };
         let mut landing = 0.0;
         if let Arrival::Impact { interval, speed } = flight.arrival {
             landing = INTERVAL * interval * next.time.abs() + SPEED * way.eta * speed * next.velocity.abs();
         }
-        let strength = PULL * (pulls.0 - 1.0).abs().max((pulls.1 - 1.0).abs()).max(1.0) + CLOCK * turning * start.abs();
+        let strength = PULL * (pulls.0 - 1.0).abs().max((pulls.1 - 1.0).abs()).max(1.0) + CLOCK * turning * now;
         let of = flown.sensitivity();
         // A later clock: the flight is that of a later ground, but ends no later for that.
         let later = of.time - if flown.lands() { next.time } else { 0.0 };
-        sum += f64::EPSILON * (more * landing + strength * flown.by_pull().abs() + CLOCK * start.abs() * later.abs());
+        sum += f64::EPSILON * (more * landing + strength * flown.by_pull().abs() + CLOCK * now * later.abs());
         next = of;
     }
     sum

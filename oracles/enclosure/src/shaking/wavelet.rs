@@ -18,10 +18,12 @@ pub struct Ricker<F> {
 
 impl<F: Directed> Ricker<F> {
     pub fn new(of: &contract::Ricker) -> Self {
-        let (square, peak) = if of.antisymmetric { (3.0, contract::RICKER_ANTISYMMETRIC_PEAK) } else { (2.0, 1.0) };
+        // 1.3801 is a decimal, which no double is.
+        let decimal = || &Interval::exactly(13801.0) / &Interval::exactly(1e4);
+        let (square, peak) = if of.antisymmetric { (3.0, decimal()) } else { (2.0, Interval::exactly(1.0)) };
         Self {
             of: *of,
-            amplitude: &Interval::exactly(of.amplitude) / &Interval::exactly(peak),
+            amplitude: &Interval::exactly(of.amplitude) / &peak,
             center: Interval::exactly(of.center),
             rate: &Interval::exactly(of.omega) / &Interval::exactly(square).root(),
         }
