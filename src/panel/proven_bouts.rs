@@ -32,7 +32,7 @@ pub fn proven_bouts(
     if !method.roles.contains(&Role::Judge) {
         return Ok(None);
     }
-    let judge = enclosure(&settings, model)?;
+    let judge = enclosure(&settings, model)?.patient();
     let digits = judge.digits();
     let decimals = |bounds: &enclosure::Bounds| bounds.decimals(bounds.places(digits));
     let proven = |found: &EnclosedBout| ProvenBout {

@@ -43,6 +43,8 @@ pub struct Asked<'a> {
     pub followed: &'a Followed,
     /// How wide the time of a rest may be, relative to itself.
     pub width: f64,
+    /// How many times the usual effort is spent.
+    pub patience: usize,
 }
 
 /// What is known of a response.
@@ -62,7 +64,7 @@ const MOST_IMPACTS: usize = 50_000;
 pub fn follow<F: Directed>(asked: &Asked<'_>) -> Known<F> {
     let ground = Shaking::<F>::new(asked.motion);
     let alpha = asked.body.alpha();
-    let motion = Motion::new(ground.amplitude(), ground.rate, alpha);
+    let motion = Motion::new(ground.amplitude(), ground.rate, alpha).patient(asked.patience);
     let run = Run { asked, ground, motion };
     let mut bouts = Vec::new();
     let mut departure = run.first();

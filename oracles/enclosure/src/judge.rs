@@ -7,6 +7,7 @@ use contract::{Decline, Invalid, Model};
 pub struct Enclosure {
     pub(crate) model: Model,
     pub(crate) digits: u32,
+    pub(crate) patience: usize,
 }
 
 impl Enclosure {
@@ -18,7 +19,7 @@ impl Enclosure {
 
     /// The oracle for one of the two equations.
     pub fn new(model: Model) -> Self {
-        Self { model, digits: Self::ENOUGH_FOR_DOUBLES }
+        Self { model, digits: Self::ENOUGH_FOR_DOUBLES, patience: 1 }
     }
 
     /// The same oracle, with this many correct digits in every number; fewer in a chattering time that would take too many impacts.
@@ -31,6 +32,11 @@ impl Enclosure {
             Ok(digits @ 1..=Self::MOST_DIGITS) => Ok(Self { digits, ..self }),
             _ => Err(Invalid::new("digits", digits, "1 <= digits <= 100")),
         }
+    }
+
+    /// The same oracle, which spends ten times as long on a whole response before it leaves it undecided: for someone who waits for this answer alone.
+    pub fn patient(self) -> Self {
+        Self { patience: 10, ..self }
     }
 
     /// How many digits are asked of it.

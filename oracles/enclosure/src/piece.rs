@@ -21,6 +21,7 @@ pub struct Motion<F> {
     pub longest: f64,
     /// The squares of the degrees of all pieces so far: what they cost.
     effort: Cell<usize>,
+    most_effort: usize,
 }
 
 /// `x(s) = Σ c_k s^k` for `0 <= s <= length`, where the last coefficient stands for all that is left out.
@@ -62,12 +63,17 @@ impl<F: Directed> Motion<F> {
     pub fn new(amplitude: &Interval<F>, rate: f64, alpha: Option<f64>) -> Self {
         let (equation, coarse) = (Equation::new(alpha), Equation::new(alpha));
         let drive = coarse.drive(&amplitude.convert());
-        Self { equation, coarse, drive, longest: (4.0 / rate).min(2.0), effort: Cell::new(0) }
+        Self { equation, coarse, drive, longest: (4.0 / rate).min(2.0), effort: Cell::new(0), most_effort: MOST_EFFORT }
+    }
+
+    /// The same, with this many times the effort.
+    pub fn patient(self, times: usize) -> Self {
+        Self { most_effort: times * MOST_EFFORT, ..self }
     }
 
     /// Whether to go on with these digits, or with more of them, would take too long.
     pub fn exhausted(&self) -> bool {
-        F::BITS > Twofold::BITS && self.effort.get() > MOST_EFFORT / F::BITS as usize
+        F::BITS > Twofold::BITS && self.effort.get() > self.most_effort / F::BITS as usize
     }
 
     /// Everything that a piece of this length can meet: by comparison with `y'' = y + drive`, `|x| <= y` and `|x'| <= y'`.

@@ -53,7 +53,7 @@ impl Enclosure {
         };
         within("eta", body.eta(), 1e-6, 1.0, "1e-6 <= eta < 1")?;
         let width = (0.1_f64).powi(self.digits as i32);
-        let attempt = FollowingBouts { body, motion, asked, width };
+        let attempt = FollowingBouts { body, motion, asked, width, patience: self.patience };
         let bits = if self.digits <= 12 { 53 } else { bits_for(self.digits) + 12 };
         climb(&attempt, bits)
     }
@@ -68,13 +68,15 @@ struct FollowingBouts<'a> {
     motion: &'a Motion,
     asked: &'a Followed,
     width: f64,
+    patience: usize,
 }
 
 impl Attempt for FollowingBouts<'_> {
     type Answer = Result<Vec<EnclosedBout>, Decline>;
 
     fn with<F: Directed>(&self) -> (Self::Answer, bool) {
-        let asked = Asked { body: &self.body, motion: self.motion, followed: self.asked, width: 0.5 * self.width };
+        let (followed, patience) = (self.asked, self.patience);
+        let asked = Asked { body: &self.body, motion: self.motion, followed, width: 0.5 * self.width, patience };
         let (mut bouts, is_whole) = match bouts::follow::<F>(&asked) {
             Known::Whole(bouts) => (bouts, true),
             Known::Until(bouts) => (bouts, false),
