@@ -11,7 +11,7 @@
 //! Beside the gate: [`page`] makes one HTML file of a report, [`engines`] are simulators of somebody else under it, [`verify`] is the gate in one call for those in Rust,
 //! [`faults`] plants mistakes to see that the gate notices, [`motion`] follows blocks and ground motions in physical units
 //! from rest to rest, [`plan`] says which method is enough for one, and [`studies`] holds what is measured once and drawn: the
-//! paper's figures, the atlas of failures, work against precision.
+//! paper's figures, the atlas of failures, work against precision. [`sweep`] makes maps over any parameters.
 //!
 //! The [`guide`] says more, with what was measured.
 
@@ -28,4 +28,5 @@ pub mod plan;
 pub mod responders;
 pub mod stored;
 pub mod studies;
+pub mod sweep;
 pub mod verify;

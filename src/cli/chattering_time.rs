@@ -1,6 +1,6 @@
 use anyhow::{anyhow, bail};
 use chattercheck::{
-    measure::{excitation::half_period, observables::Observed},
+    measure::{excitation::half_period, observables::Observed, sharpest},
     motion::response::{Bout, BoutEnd},
     panel::{self, Method, Proven, Refused, Role},
     plan::{Conclusion, Plan, Question},
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     if let Some((oracle, followed)) = on_motion(flags, oracle, *digits)? {
         return in_scene(arguments, &oracle, &followed);
     }
-    let case = flags.case(arguments.impacts.unwrap_or(64))?;
+    let case = flags.case(arguments.impacts.unwrap_or(sharpest::FIRST_IMPACTS))?;
     let oracle = match oracle.asked(flags, &case, *digits).map_err(auto_too)? {
         Asked::Auto(question) => return planned(arguments, *question),
         Asked::Oracle(oracle) => oracle,
@@ -122,24 +122,12 @@ impl Arguments {
     }
 
     /// What the oracle says, with as many impacts as are asked for, or else as many as sharpen the answer and it can do; and the case with so many.
-    fn observe(&self, oracle: &dyn Oracle, mut case: Case) -> anyhow::Result<(Case, Observed)> {
-        let ask = |case: &Case| oracle.history(case).map(|history| Observed::new(case, history));
-        // An oracle with a sum of its own may know the chattering time where it does not know so many impacts.
-        let is_answer = |observed: &Observed| !matches!(observed.history.ending, Ending::LimitReached(_));
-        let fewest =
-            || self.impacts.is_none().then(|| ask(&case.with_max_impacts(1).ok()?).ok()).flatten().filter(is_answer);
-        let first = ask(&case).or_else(|decline| fewest().ok_or(decline));
-        let mut observed = first.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))?;
-        let mut impacts = case.max_impacts();
-        while self.impacts.is_none() && impacts < MOST_IMPACTS && gains_from_more(&observed, impacts) {
-            impacts *= 2;
-            case = case.with_max_impacts(impacts)?;
-            match ask(&case) {
-                Ok(sharper) => observed = sharper,
-                Err(_) => break,
-            }
-        }
-        Ok((case, observed))
+    fn observe(&self, oracle: &dyn Oracle, case: Case) -> anyhow::Result<(Case, Observed)> {
+        let observed = match self.impacts {
+            Some(_) => oracle.history(&case).map(|history| (case, Observed::new(&case, history))),
+            None => sharpest::observe(oracle, &case),
+        };
+        observed.map_err(|decline| anyhow!("{} declines: {decline}", oracle.name()))
     }
 }
 
@@ -261,18 +249,6 @@ fn enclosed(arguments: &Arguments, proven: &Proven, case: &Case) -> anyhow::Resu
 fn seconds(arguments: &Arguments, answer: &Answer) -> anyhow::Result<Option<f64>> {
     let scene = arguments.case.scene()?;
     Ok(scene.zip(answer.tau_ch).map(|(scene, time)| time / scene.block.frequency_parameter()))
-}
-
-/// Even at a relative distance of 1e-15 to the critical amplitude this many are enough.
-const MOST_IMPACTS: usize = 16_384;
-
-/// Whether the outcome is still open, or the error of closing the sum exceeds what the impacts themselves are uncertain by.
-fn gains_from_more(observed: &Observed, impacts: usize) -> bool {
-    let history = &observed.history;
-    let listed_all = history.impacts.len() < impacts;
-    let own = history.impacts.last().map_or(0.0, |last| last.uncertainty.time);
-    let closed = observed.chattering_time.is_some_and(|time| time.uncertainty <= 2.0 * own);
-    !listed_all && history.chattering_time.is_none() && !closed
 }
 
 fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {

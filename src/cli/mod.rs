@@ -19,6 +19,7 @@ mod flight_flags;
 mod followed;
 mod joined;
 mod judge;
+mod map_flags;
 mod merge;
 mod moment;
 mod motion_facts;
@@ -41,6 +42,7 @@ mod run_cases;
 mod scene;
 mod seed;
 mod simulate;
+mod sweep;
 mod tolerances;
 mod typed;
 mod verified_responses;
@@ -94,6 +96,7 @@ enum Command {
     Criterion(criterion::Arguments),
     Overturning(overturning::Arguments),
     Plan(plan::Arguments),
+    Sweep(sweep::Arguments),
 }
 
 /// What a command that ran came to.
@@ -161,6 +164,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Criterion(arguments) => criterion::run(&arguments),
         Command::Overturning(arguments) => overturning::run(&arguments),
         Command::Plan(arguments) => plan::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
     };
     match result {
         Ok(status) => status.into(),

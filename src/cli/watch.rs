@@ -30,16 +30,7 @@ impl Watch {
             Ok(style) => bar.with_style(style),
             Err(_) => bar,
         };
-        let interrupted = Arc::new(AtomicBool::new(false));
-        for signal in [SIGINT, SIGTERM] {
-            // The order matters: the first signal finds the flag down, and raises it.
-            let second = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&interrupted));
-            if let Err(error) = second.and_then(|_| flag::register(signal, Arc::clone(&interrupted))) {
-                note(format_args!(
-                    "chattercheck: signal {signal} can't be caught, and would end the run without a report: {error}"
-                ));
-            }
-        }
+        let interrupted = interruption("would end the run without a report");
         Self { bar, failed: AtomicUsize::new(0), interrupted }
     }
 
@@ -50,6 +41,19 @@ impl Watch {
             note("chattercheck: interrupted; the report says what was found so far");
         }
     }
+}
+
+/// A flag that SIGINT and SIGTERM raise; the second of them ends the program at once. `else_what` says what one would do that can't be caught.
+pub(super) fn interruption(else_what: &str) -> Arc<AtomicBool> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        // The order matters: the first signal finds the flag down, and raises it.
+        let second = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&interrupted));
+        if let Err(error) = second.and_then(|_| flag::register(signal, Arc::clone(&interrupted))) {
+            note(format_args!("chattercheck: signal {signal} can't be caught, and {else_what}: {error}"));
+        }
+    }
+    interrupted
 }
 
 impl Progress for Watch {

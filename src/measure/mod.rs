@@ -9,5 +9,6 @@ pub mod excitation;
 pub mod ground;
 pub mod model_gap;
 pub mod observables;
+pub mod sharpest;
 pub mod threshold;
 pub mod zeno;

@@ -30,6 +30,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     // The gate's own test plants faults in the panel.
     ("faults", &["cases", "gate", "measure", "panel"]),
     ("studies", &["cases", "faults", "gate", "measure", "motion", "panel", "plan", "responders"]),
+    // Maps: points of cases and scenes, a table, and its drawing.
+    ("sweep", &["cases", "measure", "motion", "panel", "stored", "studies"]),
     // A report as one HTML file.
     ("page", &["cases", "gate", "measure"]),
     ("guide", &[]),

@@ -8,6 +8,7 @@ mod fall;
 mod lobes;
 mod peak;
 mod rounding;
+mod rotation;
 mod run;
 mod sample;
 mod shaken;

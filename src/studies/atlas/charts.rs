@@ -47,7 +47,7 @@ fn map(table: &Table, title: &str, caption: &str, choices: &[Choice]) -> Result<
         colour: Axis::log("error: left of a_{cr} of τ_{ch}, right of it of the response after T/2")
             .with_range(FLOOR, 1.0),
         columns: 2,
-        missing: "no answer: lost, hangs or declines".into(),
+        missing: vec!["no answer: lost, hangs or declines".into()],
         panels: panels(table, "error", choices)?,
     }
     .svg()
@@ -157,7 +157,7 @@ fn resolved(table: &Table) -> Result<String, Error> {
         y: Axis::linear("η"),
         colour: Axis::log("shortest interval resolved").with_range(1e-30, 1.0),
         columns: 2,
-        missing: "not even the first".into(),
+        missing: vec!["not even the first".into()],
         panels: panels(
             table,
             "shortest",

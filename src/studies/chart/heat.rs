@@ -37,8 +37,8 @@ pub struct HeatMap {
     pub colour: Axis,
     /// How many panels stand side by side.
     pub columns: usize,
-    /// What a cell without a value means, for the legend: `failed`, `declined`.
-    pub missing: String,
+    /// What a cell without a value means, for the legend: `failed`, `declined`; each is hatched in a way of its own.
+    pub missing: Vec<String>,
     /// The panels, row by row.
     pub panels: Vec<HeatPanel>,
 }
@@ -65,6 +65,15 @@ pub struct Cell {
     pub y: f64,
     /// The value, if there is one.
     pub value: Option<f64>,
+    /// Which of [`HeatMap::missing`] it is if there is none.
+    pub why: usize,
+}
+
+/// What is drawn at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Filled {
+    Value(f64),
+    Missing(usize),
 }
 
 impl HeatPanel {
@@ -164,17 +173,17 @@ impl HeatMap {
         let columns = Edges::new(&self.x, panel.cells.iter().map(|cell| cell.x));
         let rows = Edges::new(&self.y, panel.cells.iter().map(|cell| cell.y));
         let mut cells = vec![None; columns.places.len() * rows.places.len()];
-        for Cell { x, y, value } in &panel.cells {
+        for Cell { x, y, value, why } in &panel.cells {
             let index = columns.index(*x).zip(rows.index(*y)).map(|(column, row)| row * columns.places.len() + column);
             match index.and_then(|index| cells.get_mut(index)) {
-                Some(cell @ None) => *cell = Some(*value),
+                Some(cell @ None) => *cell = Some(value.map_or(Filled::Missing(*why), Filled::Value)),
                 _ => {
                     let (chart, panel) = (self.title.clone(), panel.title.clone());
                     return Err(Error::CellTwice { chart, panel, x: *x, y: *y });
                 }
             }
         }
-        Ok(Grid { columns, rows, cells: cells.into_iter().map(Option::flatten).collect() })
+        Ok(Grid { columns, rows, cells: cells.into_iter().map(|cell| cell.unwrap_or(Filled::Missing(0))).collect() })
     }
 
     fn legend(
@@ -196,9 +205,9 @@ impl HeatMap {
             swatch: Swatch::Series(Ink { colour: BLACK, ..Ink::of(*slot) }, super::Draw::Line),
             name: (*name).to_owned(),
         }));
-        if grids.iter().any(|grid| grid.cells.contains(&None)) {
-            legend.push(Entry { swatch: Swatch::Hatch, name: self.missing.clone() });
-        }
+        let of_this_kind = |kind| grids.iter().any(|grid| grid.cells.contains(&Filled::Missing(kind)));
+        let missing = self.missing.iter().enumerate().filter(|(kind, _)| of_this_kind(*kind));
+        legend.extend(missing.map(|(kind, name)| Entry { swatch: Swatch::Hatch(kind), name: name.clone() }));
         legend
     }
 }
@@ -240,7 +249,7 @@ impl Edges {
 struct Grid {
     columns: Edges,
     rows: Edges,
-    cells: Vec<Option<f64>>,
+    cells: Vec<Filled>,
 }
 
 impl Grid {
@@ -252,8 +261,8 @@ impl Grid {
             let whole = Rect { left, top: top - OVERLAP, right: right + OVERLAP, bottom };
             if let Some(area) = whole.within(&plot.area) {
                 match value {
-                    Some(value) => canvas.fill(&area, colour(colours.fraction(*value))),
-                    None => stroke::hatch(canvas, &area),
+                    Filled::Value(value) => canvas.fill(&area, colour(colours.fraction(*value))),
+                    Filled::Missing(kind) => stroke::hatch(canvas, &area, *kind),
                 }
             }
         }
@@ -275,7 +284,7 @@ mod tests {
             y: Axis::linear("η"),
             colour: Axis::log("relative error"),
             columns: 3,
-            missing: "declined".into(),
+            missing: vec!["declined".into()],
             panels: vec![HeatPanel::new("ε = 0.01", cells)],
         }
     }
@@ -311,7 +320,7 @@ mod tests {
     #[test]
     fn what_has_no_place_is_refused() {
         let mut twice = map();
-        twice.panels[0].cells.push(Cell { x: 1.0, y: 0.9, value: None });
+        twice.panels[0].cells.push(Cell { x: 1.0, y: 0.9, value: None, why: 0 });
         assert_eq!(twice.svg().unwrap_err().to_string(), "chart \"Error\", panel \"ε = 0.01\": two cells at (1, 0.9)");
         let mut negative = map();
         negative.panels[0].cells[0].value = Some(-1.0);

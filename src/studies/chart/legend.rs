@@ -32,8 +32,8 @@ pub(super) enum Swatch {
     Shade(Colour),
     /// Short strokes at the foot of a panel.
     Strokes,
-    /// A cell without a value.
-    Hatch,
+    /// A cell without a value, of a kind.
+    Hatch(usize),
     /// Nothing: a remark.
     Remark,
 }
@@ -120,7 +120,7 @@ fn swatch(canvas: &mut Canvas, swatch: &Swatch, x: f64, y: f64) {
                 stroke::at_foot(canvas, (middle.0 + place, y + 5.0));
             }
         }
-        Swatch::Hatch => stroke::hatch(canvas, &around(middle)),
+        Swatch::Hatch(kind) => stroke::hatch(canvas, &around(middle), *kind),
         Swatch::Remark => {}
     }
 }

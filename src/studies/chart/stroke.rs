@@ -4,7 +4,7 @@ use super::{
     Draw, Scale, Series,
     axis::Span,
     canvas::{Canvas, Stroke},
-    colour::{BLACK, GREY, PALE, WHITE},
+    colour::{BLACK, GREY, LIGHT, PALE, WHITE},
     geometry::{Place, Rect},
     marker::{ARROW, Shape},
     palette::{Ink, LINE},
@@ -141,16 +141,33 @@ fn thinned(places: &[Place], phase: usize) -> Vec<Place> {
     kept
 }
 
-/// Grey with slanted lines: no value here. The lines of neighbouring areas continue each other.
-pub(super) fn hatch(canvas: &mut Canvas, area: &Rect) {
+/// Grey with lines, of each kind in another direction or of another grey: no value here. The lines of neighbouring areas continue each other.
+pub(super) fn hatch(canvas: &mut Canvas, area: &Rect, kind: usize) {
     const APART: f64 = 7.0;
-    canvas.fill(area, PALE);
-    let first = ((area.left + area.top) / APART).ceil() as i64;
-    let last = ((area.right + area.bottom) / APART).floor() as i64;
-    for index in first..=last {
-        let sum = index as f64 * APART;
-        if let Some((from, to)) = area.clip((sum - area.bottom, area.bottom), (sum - area.top, area.top)) {
-            canvas.line(&[from, to], Stroke::whole(GREY, 1.0));
+    // By how much a line goes down where it goes right: x + slope y is the same all along it.
+    let lines: &[(f64, f64)] = match kind % 5 {
+        0 => &[(1.0, 1.0)],
+        1 => &[(1.0, -1.0)],
+        2 => &[(0.0, 1.0)],
+        3 => &[(1.0, 0.0)],
+        _ => &[(1.0, 1.0), (1.0, -1.0)],
+    };
+    canvas.fill(area, if kind < 5 { PALE } else { LIGHT });
+    let Rect { left, top, right, bottom } = *area;
+    for (across, down) in lines {
+        let at = |x: f64, y: f64| across * x + down * y;
+        let sums = [at(left, top), at(left, bottom), at(right, top), at(right, bottom)];
+        let (low, high) = sums.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(*s), h.max(*s)));
+        for index in (low / APART).ceil() as i64..=(high / APART).floor() as i64 {
+            let sum = index as f64 * APART;
+            // From the top to the bottom, or level from side to side.
+            let ends = match across {
+                0.0 => [(left, sum / down), (right, sum / down)],
+                _ => [((sum - down * bottom) / across, bottom), ((sum - down * top) / across, top)],
+            };
+            if let Some((from, to)) = area.clip(ends[0], ends[1]) {
+                canvas.line(&[from, to], Stroke::whole(GREY, 1.0));
+            }
         }
     }
 }

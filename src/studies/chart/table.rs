@@ -122,7 +122,7 @@ impl Table {
     /// When a column is missing, a field is no number, or an `x` or `y` is empty or not finite.
     pub fn cells(&self, x: &str, y: &str, value: &str) -> Result<Vec<Cell>, Error> {
         let places = self.places(x)?.into_iter().zip(self.places(y)?);
-        Ok(places.zip(self.numbers(value)?).map(|((x, y), value)| Cell { x, y, value }).collect())
+        Ok(places.zip(self.numbers(value)?).map(|((x, y), value)| Cell { x, y, value, why: 0 }).collect())
     }
 
     fn places(&self, column: &str) -> Result<Vec<f64>, Error> {

@@ -192,7 +192,7 @@ fn first_error(table: &Table) -> Result<String, Error> {
         y: Axis::linear("η"),
         colour: Axis::log("a − 1 where the error reaches 1 %"),
         columns: 3,
-        missing: "below 1 % up to a_{cr}".into(),
+        missing: vec!["below 1 % up to a_{cr}".into()],
         panels: panels.collect::<Result<_, _>>()?,
     }
     .svg()
@@ -265,7 +265,7 @@ fn fits(table: &Table) -> Result<String, Error> {
         y: Axis::linear("η"),
         colour: Axis::log("error of a_{cr}").with_range(1e-8, 1e-1),
         columns: 2,
-        missing: String::new(),
+        missing: Vec::new(),
         panels: panels.collect::<Result<_, _>>()?,
     }
     .svg()

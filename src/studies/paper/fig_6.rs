@@ -73,7 +73,7 @@ fn map(table: &Table) -> Result<String, chart::Error> {
         y: Axis::linear("η"),
         colour: Axis::linear("a_{cr} − 1"),
         columns: 1,
-        missing: String::new(),
+        missing: Vec::new(),
         panels: vec![HeatPanel::new("", above_one.collect())],
     }
     .svg()
