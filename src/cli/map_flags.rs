@@ -56,13 +56,12 @@ impl MapFlags {
         if partition.parts > 1 {
             return Err(refused("only of the whole: put the parts together and draw them with --redraw").into());
         }
-        let asked =
-            Asked { x: x.as_deref(), y: y.as_deref(), column: column.as_deref(), is_log: *log_colour };
-        let drawing = Drawing::choose(sweep, asked)?;
         let mut taken = vec![("it has to be another file than that of --out", out)];
         taken.extend(sweep.files.iter().map(|file| ("it has to be another file than those of the sweep", &**file)));
         let option = FileOption { name: "svg", beside: "", path: Some(svg) };
         let target = targets([((), option)], &taken)?.into_iter().next().map(|(_, target)| target);
+        let asked = Asked { x: x.as_deref(), y: y.as_deref(), column: column.as_deref(), is_log: *log_colour };
+        let drawing = Drawing::choose(sweep, asked)?;
         Ok(target.map(|target| Map { drawing, target, is_redrawn: *redraw }))
     }
 }

@@ -92,7 +92,9 @@ fn spread(name: &str, value: &Spanned<DeValue>, text: &Text) -> Result<Spread, S
 /// A value that is no list and no table; none that is not finite.
 fn plain(value: &DeValue) -> Option<Value> {
     match value {
-        DeValue::Float(float) => float.to_string().replace('_', "").parse().ok().filter(|v: &f64| v.is_finite()).map(Value::Number),
+        DeValue::Float(float) => {
+            float.to_string().replace('_', "").parse().ok().filter(|v: &f64| v.is_finite()).map(Value::Number)
+        }
         DeValue::Integer(whole) => i64::from_str_radix(whole.as_str(), whole.radix()).ok().map(Value::Whole),
         // It becomes a field of a CSV, on one line.
         DeValue::String(text) if !text.chars().any(crate::cases::toml_error::is_control) => {
@@ -102,13 +104,7 @@ fn plain(value: &DeValue) -> Option<Value> {
     }
 }
 
-fn range(
-    field: &str,
-    value: &Spanned<DeValue>,
-    text: &Text,
-    is_log: bool,
-    fewest: usize,
-) -> Result<Range, SweepError> {
+fn range(field: &str, value: &Spanned<DeValue>, text: &Text, is_log: bool, fewest: usize) -> Result<Range, SweepError> {
     let allowed = match (is_log, fewest) {
         (false, 2) => "[low, high, how many] with low < high and 2 to 1e9 values",
         (true, 2) => "[low, high, how many] with 0 < low < high and 2 to 1e9 values",
@@ -122,6 +118,8 @@ fn range(
     let (Some(low), Some(high), Ok(count)) = (low.number(), high.number(), usize::try_from(*count)) else {
         return Err(wrong());
     };
-    let is_range = low < high && (high - low).is_finite() && (!is_log || low > 0.0);
+    // What is between has to be a number, too.
+    let is_finite = (high - low).is_finite() && (!is_log || (high / low).is_finite());
+    let is_range = low < high && is_finite && (!is_log || low > 0.0);
     if is_range && (fewest..=MOST_VALUES).contains(&count) { Ok(Range { low, high, count }) } else { Err(wrong()) }
 }

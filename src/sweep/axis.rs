@@ -75,7 +75,7 @@ impl Axis {
             // A place is below the count.
             Spread::List(values) => values.get(place).cloned().unwrap_or(Value::Number(f64::NAN)),
             Spread::Linear(range) => Value::Number(range.even(place)),
-            Spread::Log(range) => Value::Number(range.log(place as f64 / range.last())),
+            Spread::Log(range) => Value::Number(range.even_by_log(place)),
             Spread::Random(range) => Value::Number(range.linear(drawn(seed, &self.name, place))),
             Spread::RandomLog(range) => Value::Number(range.log(drawn(seed, &self.name, place))),
         }
@@ -88,28 +88,37 @@ impl Range {
         (self.count.max(2) - 1) as f64
     }
 
-    /// Both ends exactly, and round numbers where the ends are round.
     fn even(&self, place: usize) -> f64 {
-        let (place, last) = (place as f64, self.last());
-        let value = match place {
-            0.0 => self.low,
-            _ if place >= last => self.high,
-            _ => (self.low * (last - place) + self.high * place) / last,
-        };
-        value.clamp(self.low, self.high)
+        let share = place as f64 / self.last();
+        self.with_ends(share, rounded(self.low * (1.0 - share) + self.high * share))
     }
 
-    fn linear(&self, share: f64) -> f64 {
-        (self.low + (self.high - self.low) * share).clamp(self.low, self.high)
+    fn even_by_log(&self, place: usize) -> f64 {
+        let share = place as f64 / self.last();
+        self.with_ends(share, rounded(self.log(share)))
     }
 
-    fn log(&self, share: f64) -> f64 {
+    /// Both ends exactly, and nothing beyond them.
+    fn with_ends(&self, share: f64, between: f64) -> f64 {
         match share {
             0.0 => self.low,
             1.0 => self.high,
-            _ => (self.low * (self.high / self.low).powf(share)).clamp(self.low, self.high),
+            _ => between.clamp(self.low, self.high),
         }
     }
+
+    fn linear(&self, share: f64) -> f64 {
+        (self.low * (1.0 - share) + self.high * share).clamp(self.low, self.high)
+    }
+
+    fn log(&self, share: f64) -> f64 {
+        (self.low * (self.high / self.low).powf(share)).clamp(self.low, self.high)
+    }
+}
+
+/// To 15 digits: 0.35 and not 0.35000000000000003.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
 }
 
 /// A number from 0 on and below 1: a function of the seed, the axis and the place, and of nothing else. It is the first 53 bits of the SHA-256 of
@@ -141,6 +150,8 @@ mod tests {
         assert_eq!((linear[0], linear[6], linear.len()), (1.1, 1.7, 7));
         assert!(linear.windows(2).all(|two| (two[1] - two[0] - 0.1).abs() < 1e-15));
         let log = numbers(Spread::Log(Range { low: 0.5, high: 8.0, count: 5 }));
+        let round = numbers(Spread::Linear(Range { low: 0.3, high: 0.7, count: 9 }));
+        assert_eq!(round, [0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7]);
         assert!(log.iter().zip([0.5, 1.0, 2.0, 4.0, 8.0]).all(|(value, expected)| (value - expected).abs() < 1e-15));
     }
 

@@ -44,7 +44,9 @@ impl Cases {
             }
         }
         match (names.contains(&"a"), names.contains(&"epsilon")) {
-            (true, true) => return Err(SweepError("axes.epsilon is outside the allowed: one of a and epsilon".to_owned())),
+            (true, true) => {
+                return Err(SweepError("axes.epsilon is outside the allowed: one of a and epsilon".to_owned()));
+            }
             (false, false) => return Err(SweepError("axes.a is missing; allowed is one of a and epsilon".to_owned())),
             _ => {}
         }
@@ -54,7 +56,9 @@ impl Cases {
                 "columns: largest_rotation is outside the allowed: only with normalisation = \"threshold\"".to_owned(),
             ));
         }
-        let has_history = columns.iter().any(|column| !matches!(column, Column::LargestRotation | Column::LargestRotationUncertainty));
+        let has_history = columns
+            .iter()
+            .any(|column| !matches!(column, Column::LargestRotation | Column::LargestRotationUncertainty));
         Ok(Self { names, normalisation, has_response, has_history })
     }
 

@@ -62,8 +62,8 @@ impl Column {
     /// What it is, with its unit, for a drawing; `None` of a word.
     pub fn label(self) -> Option<&'static str> {
         Some(match self {
-            Self::TauCh => "chattering time τ_{ch} (1/p)",
-            Self::Uncertainty => "uncertainty of τ_{ch} (1/p)",
+            Self::TauCh => "chattering time τ_{ch}, in 1/p",
+            Self::Uncertainty => "uncertainty of τ_{ch}, in 1/p",
             Self::LargestRotation => "largest rotation (share of α)",
             Self::LargestRotationUncertainty => "uncertainty of the largest rotation (share of α)",
             Self::Impacts => "impacts that are resolved",

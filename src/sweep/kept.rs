@@ -203,7 +203,7 @@ fn whole(rows: &File, head: &str, sweep: &Sweep, stretch: &Stretch) -> io::Resul
     let mut place = String::new();
     for (count, point) in stretch.points.clone().enumerate() {
         place.clear();
-        sweep.place(point, &mut place);
+        sweep.points.write(point, &mut place);
         next(&mut line)?;
         let rest = line.strip_prefix(place.as_bytes()).and_then(|rest| rest.strip_suffix(b"\n"));
         let is_whole = |rest: &[u8]| rest.iter().filter(|byte| **byte == b',').count() + 1 == sweep.columns.len();

@@ -47,8 +47,7 @@ impl Drawing {
     /// # Errors
     /// When an axis or a column is none, or there are too many panels or cells.
     pub fn choose(sweep: &Sweep, asked: Asked) -> Result<Self, MapError> {
-        let wrong =
-            |option, value: &str, allowed: String| MapError { option, value: value.to_owned(), allowed };
+        let wrong = |option, value: &str, allowed: String| MapError { option, value: value.to_owned(), allowed };
         let several = || sweep.points.axes().filter(|axis| axis.spread.count() > 1);
         if let Some(random) = several().find(|axis| axis.spread.is_random()) {
             return Err(wrong("svg", "a map", format!("a sweep on a grid, and axes.{} is random", random.name)));
@@ -58,11 +57,20 @@ impl Drawing {
             axis.is_some_and(|axis| axis.spread.extremes().iter().all(|value| value.number().is_some()))
         };
         let places: Vec<&str> = several().map(|axis| axis.name.as_str()).filter(is_number).collect();
-        let allowed = || format!("two axes of several numbers, of {}", if places.is_empty() { "which there are none".to_owned() } else { places.join(", ") });
+        let allowed = || {
+            format!(
+                "two axes of several numbers, of {}",
+                if places.is_empty() { "which there are none".to_owned() } else { places.join(", ") }
+            )
+        };
         let axis = |option, named: Option<&str>, taken: Option<&str>| {
             let usual = || places.iter().rev().copied().find(|name| Some(*name) != taken);
             let name = named.or_else(usual).ok_or_else(|| wrong(option, "none", allowed()))?;
-            if places.contains(&name) && Some(name) != taken { Ok(name.to_owned()) } else { Err(wrong(option, name, allowed())) }
+            if places.contains(&name) && Some(name) != taken {
+                Ok(name.to_owned())
+            } else {
+                Err(wrong(option, name, allowed()))
+            }
         };
         // One that is named is not taken for the other.
         let x = axis("x", asked.x, asked.y)?;
@@ -77,7 +85,11 @@ impl Drawing {
         let panels: usize = others.iter().map(|axis| axis.spread.count()).fold(1, usize::saturating_mul);
         if panels > MOST_PANELS {
             let value = format!("{x} and {y}");
-            return Err(wrong("svg", &value, format!("up to {MOST_PANELS} values of all other axes, and there are {panels}")));
+            return Err(wrong(
+                "svg",
+                &value,
+                format!("up to {MOST_PANELS} values of all other axes, and there are {panels}"),
+            ));
         }
         let cells = sweep.points.count();
         if cells > MOST_CELLS {

@@ -147,14 +147,6 @@ impl Sweep {
         axes.chain(columns).collect::<Vec<_>>().join(",") + "\n"
     }
 
-    /// What the row of a point begins with: its values, each with a comma after it.
-    pub fn place(&self, point: usize, row: &mut String) {
-        for value in self.points.values(point) {
-            value.write(row);
-            row.push(',');
-        }
-    }
-
     /// What is found of a point.
     pub fn findings(&self, point: usize) -> Findings {
         let values = self.points.values(point);
@@ -168,7 +160,7 @@ impl Sweep {
     pub fn rows(&self, points: ops::Range<usize>) -> String {
         let mut rows = String::new();
         for point in points {
-            self.place(point, &mut rows);
+            self.points.write(point, &mut rows);
             let findings = self.findings(point);
             for (place, column) in self.columns.iter().enumerate() {
                 if place > 0 {

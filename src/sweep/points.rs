@@ -6,10 +6,41 @@ use super::{Axis, Value};
 /// The points of some axes, by number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
-    /// Each axis, after how many points it takes its next value, and how many values it has.
-    axes: Vec<(Axis, usize, usize)>,
+    dimensions: Vec<Dimension>,
     seed: u64,
     count: usize,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Dimension {
+    axis: Axis,
+    /// After how many points it takes its next value.
+    step: usize,
+    /// How many values it has.
+    count: usize,
+    /// The values, and how each is written in a table; nothing where they are too many to be kept.
+    known: Vec<(Value, String)>,
+}
+
+/// The most values of an axis that are kept.
+const MOST_KNOWN: usize = 1 << 20;
+
+impl Dimension {
+    fn new(axis: Axis, step: usize, seed: u64) -> Self {
+        let count = axis.spread.count();
+        let mut known = Vec::new();
+        for place in 0..if count <= MOST_KNOWN { count } else { 0 } {
+            let value = axis.value(place, seed);
+            let mut text = String::new();
+            value.write(&mut text);
+            known.push((value, text));
+        }
+        Self { axis, step, count, known }
+    }
+
+    fn place(&self, point: usize) -> usize {
+        point / self.step % self.count
+    }
 }
 
 impl Points {
@@ -25,12 +56,11 @@ impl Points {
             }
         }
         let step_of_random = first.and_then(|first| steps.get(first).copied());
-        let axes = axes.into_iter().zip(steps).map(|(axis, step)| {
+        let dimensions = axes.into_iter().zip(steps).map(|(axis, step)| {
             let step = step_of_random.filter(|_| axis.spread.is_random()).unwrap_or(step);
-            let count = axis.spread.count();
-            (axis, step, count)
+            Dimension::new(axis, step, seed)
         });
-        Some(Self { axes: axes.collect(), seed, count })
+        Some(Self { dimensions: dimensions.collect(), seed, count })
     }
 
     /// How many there are.
@@ -40,12 +70,28 @@ impl Points {
 
     /// The axes.
     pub fn axes(&self) -> impl Iterator<Item = &Axis> {
-        self.axes.iter().map(|(axis, ..)| axis)
+        self.dimensions.iter().map(|dimension| &dimension.axis)
     }
 
     /// The value on each axis at a point, the first being 0.
     pub fn values(&self, point: usize) -> impl Iterator<Item = Value> {
-        self.axes.iter().map(move |(axis, step, count)| axis.value(point / step % count, self.seed))
+        self.dimensions.iter().map(move |dimension| {
+            let place = dimension.place(point);
+            let known = dimension.known.get(place).map(|(value, _)| value.clone());
+            known.unwrap_or_else(|| dimension.axis.value(place, self.seed))
+        })
+    }
+
+    /// What the row of a point begins with: its values, each with a comma after it.
+    pub fn write(&self, point: usize, row: &mut String) {
+        for dimension in &self.dimensions {
+            let place = dimension.place(point);
+            match dimension.known.get(place) {
+                Some((_, text)) => row.push_str(text),
+                None => dimension.axis.value(place, self.seed).write(row),
+            }
+            row.push(',');
+        }
     }
 }
 

@@ -38,7 +38,8 @@ impl Scenes {
         let scenes = Self { base, paths, folder, shown };
         for axis in axes {
             if axis.name.split('.').count() < 2 || axis.name.split('.').any(str::is_empty) {
-                let allowed = "a field of the scene with that of its table, as block.restitution or ground.record.scale";
+                let allowed =
+                    "a field of the scene with that of its table, as block.restitution or ground.record.scale";
                 return Err(SweepError(format!("axes.{} is outside the allowed: {allowed}", axis.name)));
             }
         }
@@ -59,7 +60,8 @@ impl Scenes {
         Scene::parse_in(&text, &self.folder).map_err(|error| {
             // The line is that of a text that nobody has seen.
             let said = error.to_string();
-            let said = said.strip_prefix("line ").and_then(|rest| rest.split_once(": ")).map_or(&*said, |(_, said)| said);
+            let said =
+                said.strip_prefix("line ").and_then(|rest| rest.split_once(": ")).map_or(&*said, |(_, said)| said);
             let said = said.split(", in `").next().unwrap_or(said);
             SweepError(format!("{}: {said}", self.shown))
         })
@@ -118,6 +120,10 @@ fn response(scene: &Scene) -> Option<(Response, Option<(Peak, f64)>)> {
     }
 }
 
+/// The fields that say a quantity in a unit, alone in their table.
+const UNITS: [&str; 9] =
+    ["g", "m-per-s2", "over-threshold", "over-slender-threshold", "hz", "omega", "seconds", "tau", "cycles"];
+
 /// Sets a field of a table in a table; `None` if the way to it goes through something else.
 fn set(table: &mut Table, path: &[String], value: Value) -> Option<()> {
     let (first, rest) = path.split_first()?;
@@ -127,6 +133,10 @@ fn set(table: &mut Table, path: &[String], value: Value) -> Option<()> {
             Value::Whole(whole) => Toml::Integer(whole),
             Value::Text(text) => Toml::String(text),
         };
+        // A quantity is written in one unit only.
+        if UNITS.contains(&first.as_str()) {
+            table.clear();
+        }
         table.insert(first.clone(), value);
         return Some(());
     }

@@ -18,6 +18,7 @@ mod record;
 mod reports;
 mod rooms;
 mod surroundings;
+mod sweeps;
 
 #[path = "../effort/mod.rs"]
 mod effort;

@@ -125,6 +125,7 @@ enum Then {
 
 const QUICK: &str = "[block]\nradius = 1.0\nslenderness = 0.2\nrestitution = 0.6\n\n[ground]\npulse = \"one-sine\"\namplitude = { over-threshold = 1.02 }\nfrequency = { omega = 2 }\n";
 const PULSE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/one_sine.toml");
+const SWEEP: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/sweeps/few.toml");
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/data/scenes/paper_fig_9.toml");
 
 #[test]
@@ -234,6 +235,18 @@ fn an_option_of_a_command_is_used_or_refused() {
             "--tolerance 1e-3",
             Refused(&["tolerance = 1e-3", "--oracle asymptotic or auto"]),
         ),
+        ("sweep SWEEP --out -", "--partition 2/3", Used),
+        ("sweep SWEEP --out -", "--partition 4/3", Refused(&["partition = 4/3"])),
+        // What does not depend on how many there are is the same, so only that it is looked at.
+        ("sweep SWEEP --out -", "--threads 0", Refused(&["threads = 0", "1 to 1024"])),
+        ("sweep SWEEP --out -", "--svg map.svg", Refused(&["svg = map.svg", "--out"])),
+        ("sweep SWEEP --out -", "--x a", Refused(&["--svg"])),
+        ("sweep SWEEP --out -", "--y a", Refused(&["--svg"])),
+        ("sweep SWEEP --out -", "--column tau_ch", Refused(&["--svg"])),
+        ("sweep SWEEP --out -", "--log-colour", Refused(&["--svg"])),
+        ("sweep SWEEP --out -", "--redraw", Refused(&["--svg"])),
+        ("sweep SWEEP --out none.csv --svg - --redraw", "--threads 2", Refused(&["--redraw", "--threads"])),
+        ("sweep SWEEP --out none.csv --svg - --redraw", "--partition 1/2", Refused(&["--redraw", "--partition"])),
         ("verify", "--oracles closed-form,closed-form", Refused(&["oracles = closed-form", "each once"])),
         ("verify", "--oracles ode,ode/linear/bdf", Refused(&["oracles = ode/linear/bdf", "each once"])),
         ("verify", "--oracles closed-form", Refused(&["oracles = closed-form", "two oracles"])),
@@ -288,8 +301,12 @@ fn an_option_of_a_command_is_used_or_refused() {
     let quick = folder.path().join("quick.toml");
     std::fs::write(&quick, QUICK).unwrap();
     for (command, option, then) in rows {
-        let [command, option] = [command, option]
-            .map(|text| text.replace("SCENE", SCENE).replace("PULSE", PULSE).replace("QUICK", quick.to_str().unwrap()));
+        let [command, option] = [command, option].map(|text| {
+            text.replace("SCENE", SCENE)
+                .replace("PULSE", PULSE)
+                .replace("SWEEP", SWEEP)
+                .replace("QUICK", quick.to_str().unwrap())
+        });
         let (status, out, err) = run(&format!("{command} {option}"));
         match then {
             Used => {

@@ -141,7 +141,7 @@ fn thinned(places: &[Place], phase: usize) -> Vec<Place> {
     kept
 }
 
-/// Grey with lines, of each kind in another direction or of another grey: no value here. The lines of neighbouring areas continue each other.
+/// Grey with lines, of each kind in another direction, and on another grey: no value here. The lines of neighbouring areas continue each other.
 pub(super) fn hatch(canvas: &mut Canvas, area: &Rect, kind: usize) {
     const APART: f64 = 7.0;
     // By how much a line goes down where it goes right: x + slope y is the same all along it.
@@ -152,7 +152,7 @@ pub(super) fn hatch(canvas: &mut Canvas, area: &Rect, kind: usize) {
         3 => &[(1.0, 0.0)],
         _ => &[(1.0, 1.0), (1.0, -1.0)],
     };
-    canvas.fill(area, if kind < 5 { PALE } else { LIGHT });
+    canvas.fill(area, if kind.is_multiple_of(2) { PALE } else { LIGHT });
     let Rect { left, top, right, bottom } = *area;
     for (across, down) in lines {
         let at = |x: f64, y: f64| across * x + down * y;
