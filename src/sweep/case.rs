@@ -1,6 +1,6 @@
 //! Points that are dimensionless cases.
 
-use contract::{Case, Decline, Ending, Horizon, Invalid, Oracle};
+use contract::{Case, Decline, Ending, Estimate, Horizon, Invalid, Oracle};
 
 use super::{Axis, Column, Findings, SweepError, Value};
 use crate::{
@@ -107,8 +107,8 @@ impl Cases {
 /// What `chattering-time` says.
 fn of_history(oracle: &dyn Oracle, case: &Case) -> Result<Findings, Decline> {
     let (_, observed) = sharpest::observe(oracle, case)?;
-    let time = observed.chattering_time.map(|time| (time.value, time.uncertainty));
-    let is_unsure = time.is_some_and(|(_, uncertainty)| !uncertainty.is_finite());
+    let time = observed.chattering_time;
+    let is_unsure = time.is_some_and(|time| !time.uncertainty.is_finite());
     Ok(Findings {
         tau_ch: time.filter(|_| !is_unsure),
         impacts: Some(observed.history.impacts.len()),
@@ -118,7 +118,7 @@ fn of_history(oracle: &dyn Oracle, case: &Case) -> Result<Findings, Decline> {
 }
 
 /// The largest rotation within half a period, and how that ends; none of a block that overturns.
-fn largest_rotation(oracle: &dyn Oracle, case: &Case) -> Result<(Option<(f64, f64)>, &'static str), Decline> {
+fn largest_rotation(oracle: &dyn Oracle, case: &Case) -> Result<(Option<Estimate>, &'static str), Decline> {
     let refused = |_| Decline::Unsupported { what: "cases at the border of what is allowed" };
     let case = case.with_horizon(Horizon::HalfPeriod).map_err(refused)?;
     let half_period = std::f64::consts::PI / case.omega();
@@ -131,7 +131,8 @@ fn largest_rotation(oracle: &dyn Oracle, case: &Case) -> Result<(Option<(f64, f6
         other => other,
     };
     let rotation = rotation.filter(|(_, uncertainty)| ending != "overturned" && uncertainty.is_finite());
-    Ok((rotation.map(|(peak, uncertainty)| (peak.rotation.abs(), uncertainty)), ending))
+    let rotation = rotation.map(|(peak, uncertainty)| Estimate { value: peak.rotation.abs(), uncertainty });
+    Ok((rotation, ending))
 }
 
 /// The name of an ending in tables.

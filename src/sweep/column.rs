@@ -3,6 +3,8 @@
 //! No number stands there without what may be wrong with it, and no field is empty without a word that says why: each quantity brings its uncertainty, and
 //! every table has an `ending`.
 
+use contract::Estimate;
+
 /// A column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Column {
@@ -124,17 +126,17 @@ pub(super) const NAMES_OF_ENDINGS: [&str; 13] = [
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Findings {
     /// The chattering time, and how far it may be off.
-    pub tau_ch: Option<(f64, f64)>,
+    pub tau_ch: Option<Estimate>,
     /// How the first rocking of a scene ends.
     pub tau_ch_ending: &'static str,
     /// The largest rotation, and how far it may be off.
-    pub largest_rotation: Option<(f64, f64)>,
+    pub largest_rotation: Option<Estimate>,
     /// How many impacts are resolved.
     pub impacts: Option<usize>,
     /// How often it rocks.
     pub bouts: Option<usize>,
     /// When it comes to rest for good, and how far that may be off.
-    pub rest_time: Option<(f64, f64)>,
+    pub rest_time: Option<Estimate>,
     /// How it ends.
     pub ending: &'static str,
 }
@@ -148,8 +150,8 @@ impl Findings {
     /// Writes a column as a field of a CSV.
     pub fn write(&self, column: Column, row: &mut String) {
         use super::value::write_number;
-        let value = |of: Option<(f64, f64)>| of.map_or(f64::NAN, |(value, _)| value);
-        let uncertainty = |of: Option<(f64, f64)>| of.map_or(f64::NAN, |(_, uncertainty)| uncertainty);
+        let value = |of: Option<Estimate>| of.map_or(f64::NAN, |estimate| estimate.value);
+        let uncertainty = |of: Option<Estimate>| of.map_or(f64::NAN, |estimate| estimate.uncertainty);
         let count = |of: Option<usize>| of.map_or(String::new(), |count| count.to_string());
         match column {
             Column::TauCh => write_number(row, value(self.tau_ch)),

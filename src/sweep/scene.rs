@@ -2,7 +2,7 @@
 
 use std::{fs, path::PathBuf};
 
-use contract::Oracle;
+use contract::{Estimate, Oracle};
 use toml::{Table, Value as Toml};
 
 use super::{Axis, Findings, SweepError, Value};
@@ -91,17 +91,19 @@ impl Scenes {
         let falls = matches!(account.ending, End::Overturned | End::Lying);
         let rests = |bout: &&Bout| matches!(bout.outcome, BoutEnd::Complete { .. }) && !bout.is_unsure();
         Findings {
-            tau_ch: Some(first).filter(rests).map(|bout| (bout.duration - bout.start, bout.uncertainty())),
+            tau_ch: Some(first)
+                .filter(rests)
+                .map(|bout| Estimate { value: bout.duration - bout.start, uncertainty: bout.uncertainty() }),
             tau_ch_ending: if first.ending() == "complete" { "at-rest" } else { first.ending() },
             largest_rotation: rotation
                 .filter(|(_, uncertainty)| is_known && !falls && uncertainty.is_finite())
-                .map(|(peak, uncertainty)| (peak.rotation.abs(), uncertainty)),
+                .map(|(peak, uncertainty)| Estimate { value: peak.rotation.abs(), uncertainty }),
             impacts: is_known.then_some(account.impacts),
             bouts: is_known.then_some(account.times_of_rocking),
             rest_time: Some(last)
                 .filter(|_| account.ending == End::AtRest)
                 .filter(rests)
-                .map(|bout| (seconds(bout.end()), seconds(bout.uncertainty()))),
+                .map(|bout| Estimate { value: seconds(bout.end()), uncertainty: seconds(bout.uncertainty()) }),
             ending,
         }
     }
