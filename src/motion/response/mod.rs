@@ -7,8 +7,8 @@
 mod fall;
 mod lobes;
 mod peak;
-mod rounding;
 mod rotation;
+mod rounding;
 mod run;
 mod sample;
 mod shaken;
