@@ -3,7 +3,6 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        certainty::certified,
         criterion::{Criterion, criteria, critical_scale},
         response::{Bout, Response, Termination},
     },
@@ -26,12 +25,11 @@ use super::{
 ///
 /// Impacts can accumulate only in a gap, while the ground acceleration is below the threshold. After each impact the pull towards the base is bounded over what is left;
 /// where the bounds prove that infinitely many impacts fit into the gap, rest is certain, and so is when it comes, between two bounds; they are wider by what rounding may have
-/// done to the flights before. A push before it ends the gap: then
-/// the chattering was incomplete there, and rest may come in a later gap.
+/// done to the flights before. A push before it ends the gap: then the chattering was incomplete there, and rest may come in a later gap.
 ///
 /// Beside it stands what the local series of one impact alone said, from the first impact on at which it is trusted. At last the scale of the motion is looked for, from 1 on,
-/// at which some chattering becomes incomplete: among 400 scales, and then to neighbouring numbers, by the fastest flights. The judge then proves both sides of it where it
-/// can; that nothing changes before is not proven.
+/// at which some chattering becomes incomplete: among 400 scales, and then to neighbouring numbers, by the fastest flights. It is not certified:
+/// `overturning` proves such changes from both sides where it can.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The scene, in TOML; see `chattercheck scene`
@@ -69,7 +67,7 @@ struct Incomplete {
     lower: Option<f64>,
     upper: Option<f64>,
     searched_to: f64,
-    /// Whether it is proven that all chattering is complete at the lower one, and some is not at the upper one. That nothing changes before is not proven.
+    /// Whether that is proven: never here, see `overturning`.
     certified: bool,
 }
 
@@ -116,20 +114,16 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let fastest = panel::stepper_on(&request.body, &request.motion);
     let critical =
         critical_scale(fastest.as_ref(), &request, most).map_err(|why| anyhow!("{}: {why}", fastest.name()))?;
-    let judge = panel::judge_of(scene.ask.model);
-    let proven = critical.filter(|crossing| crossing.lower < crossing.upper).zip(judge);
-    let proven =
-        proven.and_then(|(crossing, judge)| certified(judge.as_ref(), &request, &crossing, |fate| fate.incomplete));
     let bouts = response.bouts.iter().zip(&found).map(|(bout, criterion)| row(bout, criterion)).collect();
     let answer = Answer {
         title: scene.title.clone(),
         frequency_parameter: scene.block.frequency_parameter(),
         bouts,
         incomplete: Incomplete {
-            lower: proven.or(critical).map(|crossing| crossing.lower),
-            upper: proven.or(critical).map(|crossing| crossing.upper),
+            lower: critical.map(|crossing| crossing.lower),
+            upper: critical.map(|crossing| crossing.upper),
             searched_to: most,
-            certified: proven.is_some(),
+            certified: false,
         },
     };
     arguments.format.print(&answer, text)?;
@@ -187,11 +181,8 @@ fn text(answer: &Answer) -> String {
             None => continue,
         });
     }
-    let Incomplete { lower, upper, searched_to, certified } = incomplete;
+    let Incomplete { lower, upper, searched_to, .. } = incomplete;
     lines.push(match (lower, upper) {
-        (Some(lower), Some(upper)) if *certified => {
-            format!("  from {upper} times the motion on some chattering is incomplete; proven there, and that at {lower} times none is")
-        }
         (Some(lower), Some(upper)) if lower == upper => "  some chattering is incomplete as it is".to_owned(),
         (_, Some(upper)) => format!("  from {upper} times the motion on some chattering is incomplete"),
         _ => format!("  up to {searched_to} times the motion all chattering is complete"),
