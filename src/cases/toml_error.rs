@@ -53,7 +53,10 @@ pub fn read<T: DeserializeOwned>(text: &str, allowed: &[Allowed]) -> Result<T, S
 /// What is wrong, in one line and without the parser's picture of it; with the line that it is in, if it is in one.
 pub fn one_line(error: &toml::de::Error, text: &str, allowed: &[Allowed]) -> String {
     const LONGEST: usize = 100;
-    let number = line_of(error, text).filter(|_| !is_missing(error));
+    if is_missing(error) {
+        return printable(&missing(error, text, allowed));
+    }
+    let number = line_of(error, text);
     let line = number.and_then(|number| text.lines().nth(number)).unwrap_or_default().trim();
     let field = number.map_or_else(String::new, |number| field_at(text, number, allowed));
     let message = printable(&in_words(error.message(), &field, allowed));
@@ -62,6 +65,21 @@ pub fn one_line(error: &toml::de::Error, text: &str, allowed: &[Allowed]) -> Str
     let dots = if shown.len() < line.len() { "..." } else { "" };
     let quoted = if line.is_empty() { String::new() } else { format!(", in `{}{dots}`", printable(&shown)) };
     format!("line {}: {message}{quoted}", number + 1)
+}
+
+/// What is missing, and the table that it is missing in, where that is not the whole file.
+fn missing(error: &toml::de::Error, text: &str, allowed: &[Allowed]) -> String {
+    let field = error.message().trim_start_matches("missing field ").replace('`', "");
+    let said = allowed.iter().find(|(name, _)| *name == field);
+    let said = said.map_or(String::new(), |(_, allowed)| format!("; allowed is {allowed}"));
+    // The parser points at the table, and at nothing for the whole file.
+    let Some(span) = error.span().filter(|span| !span.is_empty()) else { return format!("{field} is missing") };
+    let number = line_of(error, text).unwrap_or_default();
+    let table = match text.get(span).unwrap_or_default() {
+        header if header.starts_with('[') => header.replace("[[", "[").replace("]]", "]"),
+        _ => field_at(text, number, allowed),
+    };
+    format!("line {}: {field} is missing in {table}{said}", number + 1)
 }
 
 /// What is missing is in no line, whatever the parser points at.
@@ -108,9 +126,6 @@ fn field_of(line: &str) -> &str {
 fn in_words(message: &str, field: &str, allowed: &[Allowed]) -> String {
     let of_field = allowed.iter().find(|(name, _)| *name == field).map(|(_, allowed)| *allowed);
     let plain = |text: &str| text.replace('`', "");
-    if let Some(name) = message.strip_prefix("missing field ") {
-        return format!("{} is missing", plain(name));
-    }
     if let Some(rest) = message.strip_prefix("unknown field ") {
         let (name, known) = rest.split_once(", expected ").unwrap_or((rest, ""));
         let known = plain(known).replacen("one of ", "", 1).replace(" or ", ", ");
@@ -211,6 +226,35 @@ mod tests {
     #[test]
     fn what_is_missing_is_in_no_line() {
         assert_eq!(told("# only a comment\nomega = 2.0\n"), "eta is missing");
+    }
+
+    #[test]
+    fn what_is_missing_in_a_table_is_told_with_it() {
+        #[derive(serde::Deserialize)]
+        struct Inner {
+            #[serde(rename = "size")]
+            _size: f64,
+        }
+        #[derive(serde::Deserialize)]
+        struct Outer {
+            #[serde(rename = "block")]
+            _block: Inner,
+            #[serde(rename = "parts")]
+            _parts: Vec<Inner>,
+        }
+        const SIZE: [Allowed; 1] = [("size", "a number")];
+        for (text, said) in [
+            ("# a\n[block]\n", "line 2: size is missing in [block]; allowed is a number"),
+            ("block = { }\n", "line 1: size is missing in block; allowed is a number"),
+            ("[block]\nsize = 1.0\n", "parts is missing"),
+            (
+                "parts = [ { size = 1.0 },\n { } ]\n[block]\nsize = 1.0\n",
+                "line 2: size is missing in parts; allowed is a number",
+            ),
+            ("[block]\nsize = 1.0\n[[parts]]\n", "line 3: size is missing in [parts]; allowed is a number"),
+        ] {
+            assert_eq!(read::<Outer>(text, &SIZE).err().unwrap_or_default(), said);
+        }
     }
 
     #[test]

@@ -20,6 +20,8 @@ struct Document {
     ground: &'static str,
     eta: f64,
     alpha: f64,
+    /// The equation that the scene asks for.
+    model: &'static str,
     tolerance: f64,
     /// `p`, 1/s: a time over it is in seconds.
     frequency_parameter: f64,
@@ -108,6 +110,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
             None => "its error of the model is too large".to_owned(),
         },
         (Model::Nonlinear, Model::Nonlinear) => "the equation of the block as it is".to_owned(),
+        (Model::Nonlinear, Model::Linear) if asked_linear => "the linear model is asked for".to_owned(),
         (Model::Nonlinear, Model::Linear) => "accurate, but the slender block will do".to_owned(),
     };
     let row = |model: Model, followed: &Followed| Row {
@@ -121,6 +124,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
         verdict: match model {
             _ if model == chosen => "chosen",
             Model::Linear => "refused",
+            Model::Nonlinear if asked_linear => "refused",
             Model::Nonlinear => "not needed",
         },
         why: why(model),
@@ -129,6 +133,8 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
     let body = Body::new(scene.block.restitution, Some(scene.block.slenderness))?;
     let others = others(&asked, &body, &request.motion);
     let meets = match chosen {
+        // Of the equation that is asked for it is no error that it is not the block's own.
+        Model::Linear if asked_linear => uncertainty(&plan.linear) <= tolerance,
         Model::Linear => plan.needs(tolerance) == Model::Linear,
         Model::Nonlinear => uncertainty(&plan.nonlinear) <= tolerance,
     };
@@ -137,6 +143,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
         ground: scene.ground_name(),
         eta: scene.block.restitution,
         alpha: scene.block.slenderness,
+        model: name(scene.ask.model),
         tolerance,
         frequency_parameter: scene.block.frequency_parameter(),
         chosen: if chosen == Model::Linear { &plan.linear } else { &plan.nonlinear }.oracle.clone(),
@@ -168,6 +175,17 @@ fn others(asked: &[Row], body: &Body, motion: &Motion) -> Vec<Row> {
     let panel = panel::default();
     let others = panel.iter().map(AsRef::as_ref);
     others.filter(|oracle| asked.iter().all(|row| row.method != oracle.name())).map(row).collect()
+}
+
+/// What an answer by the linear model is to the block as it is, where the scene asks for that model (`model = "linear"`), whatever it costs.
+fn beside_the_block(document: &Document) -> String {
+    if document.model != name(Model::Linear) {
+        return String::new();
+    }
+    let linear = document.candidates.iter().find(|row| row.model == name(Model::Linear));
+    let error = linear.and_then(|row| row.errors.as_ref()).and_then(|errors| errors.model);
+    let off = error.map_or("has another response".to_owned(), |error| format!("differs by {error:.0e}"));
+    format!(", of the linear model that the scene asks for; the block as it is {off} (model = \"nonlinear\")")
 }
 
 fn name(model: Model) -> &'static str {
@@ -230,6 +248,6 @@ fn text(document: &Document) -> String {
         None => "  the block never rocks, or not by both models".to_owned(),
     });
     let worse = if document.meets_tolerance { "as asked" } else { "WORSE THAN ASKED, or not known to be better" };
-    lines.push(format!("answer: by {}, {worse}", document.chosen));
+    lines.push(format!("answer: by {}, {worse}{}", document.chosen, beside_the_block(document)));
     lines.join("\n")
 }

@@ -60,7 +60,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["json", "junit", "html", "summary", "full"])]
     out: Option<PathBuf>,
     /// Print the cases of this run and run nothing: a line each, the name, a tab, and the flags that ask for it in other commands
-    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "only", "record", "json", "junit", "html", "summary", "replays", "format", "full", "out"])]
+    #[arg(long, conflicts_with_all = ["responses", "oracles", "engines", "only", "record", "json", "junit", "html", "summary", "replays", "format", "full", "out", "quiet"])]
     list: bool,
     #[arg(long, value_name = "DIR", help = format!("Where replay files of failures go [default: {REPLAYS}]"))]
     replays: Option<PathBuf>,

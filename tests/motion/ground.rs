@@ -4,6 +4,7 @@ use std::{fmt::Write as _, sync::Arc};
 
 use assert_cmd::Command;
 use chattercheck::{
+    measure::ground::acceleration,
     motion::{
         response::{Bout, OnMotion, Response, Termination},
         scene::Scene,
@@ -219,6 +220,16 @@ fn what_is_wrong_with_a_motion_is_said() {
             "line 9: center = { tau = -1 }",
         ),
         ("pulse = \"mavroeidis-papageorgiou\"\namplitude = { g = 1 }\nfrequency = { hz = 1 }", "needs gamma"),
+        (
+            "pulse = \"mavroeidis-papageorgiou\"\namplitude = { g = 1 }\nfrequency = { hz = 1 }\ngamma = 0",
+            "line 9: gamma = 0",
+        ),
+        (
+            "pulse = \"ricker\"\namplitude = { g = 1 }\nfrequency = { hz = 1e4 }\ncenter = { tau = 1e4 }",
+            "line 9: center = ",
+        ),
+        ("record = { units = \"g\" }", "line 6: file is missing in record; allowed is a text in quotes"),
+        ("sinusoids = [ { frequency = { hz = 1 } } ]", "line 6: amplitude is missing in sinusoids"),
         ("sinusoids = []", "sinusoids: allowed is"),
         ("frequency = { hz = 1 }", "needs amplitude"),
         (&format!("{sine}\ngamma = 1"), "line 8: gamma is not used by a sinusoid"),
@@ -238,6 +249,9 @@ fn what_is_wrong_with_a_motion_is_said() {
     );
     let found = Scene::parse(&text.replace("half_height = 2\n", "")).unwrap_err().to_string();
     assert!(found.contains("of the whole block") && found.contains("half of them"), "{found}");
+    let text = format!("[block]\nradius = 1\nslenderness = 0.2\n[ground]\n{sine}\n");
+    let found = Scene::parse(&text).unwrap_err().to_string();
+    assert!(found.starts_with("line 1: restitution is missing in [block]; allowed is a number above 0"), "{found}");
     let start = format!(
         "[block]\nradius = 1\nslenderness = 0.2\nrestitution = 0.9\n[ground]\n{sine}\n[start]\nrotation = 1.5\n"
     );
@@ -265,6 +279,25 @@ fn what_a_motion_can_not_have_is_said_as_typed() {
     }
     let found = told("UNITS OF G\nNPTS= 2, DT= 1E-300 SEC\n.1 .2\n", "");
     assert!(found.contains("r.txt: line 2: dt = 1e-300 s is outside the allowed range"), "{found}");
+}
+
+/// The amplitude of a pulse of Mavroeidis and Papageorgiou is not its peak: the guide says what that is.
+#[test]
+fn the_peaks_of_the_pulse_of_mavroeidis_and_papageorgiou_are_those_of_the_guide() {
+    let peak = |gamma: f64, nu: f64| {
+        let motion = Motion::mavroeidis_papageorgiou(1.0, 2.0, gamma, nu).unwrap();
+        let at = |k: i32| acceleration(&motion, motion.duration() * f64::from(k) / 4e4).abs();
+        (0..=40_000).map(at).fold(0.0, f64::max)
+    };
+    let guide = include_str!("../../src/guide/scenes.md");
+    let said = guide.split("For `nu = 0`").nth(1).unwrap().split("\n\n").next().unwrap();
+    for (gamma, expected) in
+        [(1.0, "0.880"), (2.0, "0.906"), (3.0, "0.946"), (0.8, "0.920"), (0.5, "1.155"), (0.3, "1.738"), (0.1, "5.018")]
+    {
+        assert_eq!(format!("{:.3}", peak(gamma, 0.0)), expected, "{gamma}");
+        assert!(said.contains(expected), "{said}");
+        assert!((peak(gamma, std::f64::consts::FRAC_PI_2) - 1.0).abs() < 1e-6, "{gamma}");
+    }
 }
 
 /// Every row of a history is made of numbers, at the start of a flight too, by either model.

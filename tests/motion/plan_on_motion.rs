@@ -77,3 +77,25 @@ fn a_record_is_planned() {
     let text = run(&["plan", "data/scenes/earthquake.toml"]);
     assert!(text.contains("answer: by taylor") && text.contains("of alpha"), "{text}");
 }
+
+/// Where the scene asks for the linear model, its answer is one of that model: how far the block as it is differs is told beside it.
+#[test]
+fn the_linear_model_is_planned_as_it_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let block = "[block]\nradius = 1\nslenderness = 0.2\nrestitution = 0.8\n";
+    std::fs::write(&path, format!("{block}[ground]\n{PULSE}\n[ask]\nmodel = \"linear\"\n")).unwrap();
+    let run = |arguments: &[&str]| {
+        let output =
+            Command::cargo_bin("chattercheck").unwrap().arg("plan").arg(&path).args(arguments).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: serde_json::Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    assert_eq!((&json["model"], &json["chosen"]), (&"linear".into(), &"closed-form".into()));
+    assert_eq!(json["meets_tolerance"], true);
+    let text = run(&[]);
+    assert!(text.contains("refused: the linear model is asked for"), "{text}");
+    let answer = text.lines().last().unwrap();
+    assert!(answer.starts_with("answer: by closed-form, as asked, of the linear model that the scene asks for; the block as it is differs by "), "{answer}");
+}

@@ -141,7 +141,7 @@ pub enum RestitutionRule {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GroundFields {
-    /// The amplitude; of a pulse its peak.
+    /// The amplitude; of a pulse its peak, but for that of Mavroeidis and Papageorgiou: there it is `ω` times the amplitude of the velocity.
     #[schemars(with = "Option<Amplitude>")]
     #[serde(default, deserialize_with = "amplitude_if_any")]
     pub amplitude: Option<Spanned<Amplitude>>,

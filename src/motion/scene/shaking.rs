@@ -97,9 +97,22 @@ impl Reader<'_> {
                 Motion::mavroeidis_papageorgiou(amplitude, omega, gamma, nu)
             }
         };
-        let motion = motion.map_err(|invalid| self.text.error(&pulse.span(), invalid))?;
+        let motion = motion.map_err(|invalid| self.refused(&invalid, fields, pulse.span()))?;
         let over_slender = self.over_slender(fields.amplitude.iter());
         Ok(Shaking { name: by, motion: Arc::new(motion), rounding, over_slender, file: None, notes: Vec::new() })
+    }
+
+    /// Where a motion refuses a parameter: the line of its field as it is typed, and else that of the pulse.
+    fn refused(&self, invalid: &Invalid, fields: &GroundFields, pulse: Range<usize>) -> SceneError {
+        let span = match invalid.field {
+            "gamma" => fields.gamma.as_ref().map(Spanned::span),
+            "nu" => fields.phase.as_ref().map(Spanned::span),
+            "center" => fields.center.as_ref().map(Spanned::span),
+            "omega" | "duration" => fields.frequency.as_ref().map(Spanned::span),
+            "amplitude" => fields.amplitude.as_ref().map(Spanned::span),
+            _ => None,
+        };
+        self.text.error(&span.unwrap_or(pulse), invalid)
     }
 
     fn sum(&self, sinusoids: &Spanned<Vec<SineFields>>, fields: &GroundFields) -> Result<Shaking, SceneError> {
