@@ -85,6 +85,14 @@ impl Bounds {
         order(&self.lower, &other.lower) != Ordering::Greater && order(&self.upper, &other.upper) != Ordering::Less
     }
 
+    /// Bounds on how much later this is than another time.
+    pub fn since(&self, earlier: &Self) -> Self {
+        let (lower, upper) = (self.lower.less(&earlier.upper), self.upper.less(&earlier.lower));
+        let double = |end: &Exact| crate::digits::Digits::<64>::from_parts(end.significand.clone(), end.exponent);
+        let doubles = (double(&lower).double_below(), double(&upper).double_above());
+        Self { lower, upper, doubles }
+    }
+
     /// The width, rounded up.
     pub fn width(&self) -> f64 {
         let shift = self.lower.exponent.min(self.upper.exponent);
@@ -97,6 +105,12 @@ impl Exact {
     /// The significand of the same number with an exponent that is not greater.
     fn shifted(&self, exponent: isize) -> IBig {
         &self.significand << self.exponent.abs_diff(exponent)
+    }
+
+    /// The exact difference.
+    fn less(&self, other: &Self) -> Self {
+        let exponent = self.exponent.min(other.exponent);
+        Self { significand: self.shifted(exponent) - other.shifted(exponent), exponent }
     }
 
     /// How the number compares with `numerator/denominator`, `denominator > 0`.
