@@ -7,6 +7,8 @@ use crate::motion::walk::{Flight, Walk};
 /// In what steps, and in how many, a falling block is followed.
 const STEP: f64 = 0.05;
 const MOST_STEPS: usize = 1000;
+/// How often a time is halved that may be out of reach.
+const MOST_HALVES: usize = 12;
 /// How often a rotation that comes and goes is looked at, in units of the time in which the ground or the block changes.
 const LOOKS: f64 = 0.1;
 
@@ -116,16 +118,20 @@ impl<'a> Fall<'a> {
     /// When in a flight the rotation first reaches a level.
     fn reaches(&self, flight: &Flight, level: f64) -> Option<f64> {
         let Flight { departure, duration, .. } = flight;
-        // u + 1 + a grows no faster than by u'' = rate² (u + 1 + a).
-        let (grown, speed) = (self.rate * duration, departure.velocity.abs() / self.rate);
-        let highest = (departure.rotation + self.push) * grown.cosh() + speed * grown.sinh() - self.push;
-        if highest < level {
-            return None;
-        }
         let at = |s: f64| self.solver.motion(departure, s);
         let looks = (duration / self.look).ceil().max(1.0);
         let (mut look, mut here, mut state) = (0.0, 0.0, (departure.rotation, departure.velocity));
         while look < looks {
+            // What is out of reach is not looked at.
+            let skipped = (self.out_of_reach(state, level, duration - here) / duration * looks).floor();
+            if skipped >= looks - look {
+                return None;
+            }
+            if skipped >= 1.0 {
+                look += skipped;
+                here = duration * (look / looks);
+                state = at(here);
+            }
             look += 1.0;
             let there = duration * (look / looks);
             // The end of a flight is not always in reach of its motion.
@@ -144,6 +150,18 @@ impl<'a> Fall<'a> {
             (here, state) = (there, next);
         }
         None
+    }
+
+    /// A time, of `most` at the most, for which the rotation stays below a level whatever the ground does.
+    fn out_of_reach(&self, (rotation, velocity): (f64, f64), level: f64, most: f64) -> f64 {
+        // u + 1 + a grows no faster than by u'' = rate² (u + 1 + a).
+        let speed = velocity.max(0.0) / self.rate;
+        let highest = |time: f64| {
+            let grown = self.rate * time;
+            (rotation + self.push) * grown.cosh() + speed * grown.sinh() - self.push
+        };
+        let halves = std::iter::successors(Some(most), |time| Some(0.5 * time)).take(MOST_HALVES);
+        halves.into_iter().find(|time| highest(*time) < level).unwrap_or(0.0)
     }
 
     /// When after `from`, and not after `leg`, a falling block reaches a level.

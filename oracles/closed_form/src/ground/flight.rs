@@ -2,7 +2,7 @@
 //! however short the flight is.
 
 use super::{
-    kernels::{of_cosine, of_level, of_sine, of_slope},
+    kernels::{of_cosine, of_level, of_line, of_sine},
     pull::Change,
 };
 
@@ -63,9 +63,7 @@ impl Flight {
 impl Change {
     /// What it takes from the rotation and the velocity a time `r` later.
     fn drives(&self, r: f64) -> (f64, f64) {
-        let (level, slope) = (of_level(r), of_slope(r));
-        let mut rotation = self.level * level.0 + self.slope * slope.0;
-        let mut velocity = self.level * level.1 + self.slope * slope.1;
+        let (mut rotation, mut velocity) = of_line(r, self.level, self.slope);
         for wave in &self.waves {
             let (sine, cosine) = (of_sine(r, wave.omega), of_cosine(r, wave.omega));
             rotation += wave.rate * sine.0 + wave.value * cosine.0;

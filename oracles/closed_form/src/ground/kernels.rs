@@ -11,10 +11,23 @@ pub fn of_level(s: f64) -> (f64, f64) {
     (2.0 * half * half, s.sinh())
 }
 
+/// Of `c = level + slope r`, with no more exponentials than that takes.
+pub fn of_line(s: f64, level: f64, slope: f64) -> (f64, f64) {
+    // Most changes of a record are of the slope alone.
+    if level == 0.0 {
+        let (value, rate) = of_slope(s);
+        return (slope * value, slope * rate);
+    }
+    let (cosh_less_one, sinh) = of_level(s);
+    let value = if s < SMALL { series(s, 3, |_| 1.0) } else { sinh - s };
+    (level * cosh_less_one + slope * value, level * sinh + slope * cosh_less_one)
+}
+
 /// Of `c = r`: `sinh s - s` and `cosh s - 1`.
 pub fn of_slope(s: f64) -> (f64, f64) {
     let value = if s < SMALL { series(s, 3, |_| 1.0) } else { s.sinh() - s };
-    (value, of_level(s).0)
+    let half = (0.5 * s).sinh();
+    (value, 2.0 * half * half)
 }
 
 /// Of `c = sin(ωr)/ω`: `(sinh s - sin(ωs)/ω)/(1 + ω²)` and `(cosh s - cos ωs)/(1 + ω²)`.
