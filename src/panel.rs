@@ -27,7 +27,7 @@ pub use lookup::{
     all, beside, default, judges, may_decline, method, methods, model_named, model_of, one, select, stepper_on,
     with_role,
 };
-pub use proven_bouts::{ProvenBout, ProvenResponse, proven_bouts};
+pub use proven_bouts::{ProvenBout, ProvenResponse, ProvenTime, proven_bouts};
 pub use settings::{Refused, Setting, Settings};
 
 /// Oracles that are asked the same cases.

@@ -7,18 +7,19 @@ use chattercheck::{
 };
 use clap::Args;
 use contract::{Case, Ending, Invalid, Oracle};
-use serde::Serialize;
 
 use super::{
     Status,
     case_facts::CaseFacts,
     case_flags::CaseFlags,
+    chattering_answer::{Answer, text},
     estimate,
-    followed::{Followed, follow, on_motion},
+    followed::{Followed, follow, goes_on, on_motion},
     motion_facts::Facts,
     numbers::{count, whole},
     oracle_flags::{Asked, OracleFlags},
     output::{Format, note},
+    proven_time,
 };
 
 /// The chattering time of one case: when the infinite sequence of impacts comes to rest
@@ -39,36 +40,11 @@ pub(super) struct Arguments {
     format: Format,
 }
 
-#[derive(Serialize)]
-struct Answer<'a> {
-    #[serde(flatten)]
-    asked: Facts,
-    /// Whether the amplitude exceeds the threshold at all.
-    rocks: bool,
-    /// `null` if it does not rock, or the list of impacts is too short to tell, or nothing is known of `tau_ch`.
-    complete: Option<bool>,
-    tau_ch: Option<f64>,
-    /// `null` beside a `tau_ch` too where nothing is known of it.
-    uncertainty: Option<f64>,
-    /// Proven bounds, as decimals rounded outward; only of the enclosure.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lower: Option<String>,
-    /// See `lower`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    upper: Option<String>,
-    /// `tau_ch` in seconds after rocking began; only of a scene.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    seconds: Option<f64>,
-    /// `tau_ch/(T/2)`.
-    half_period_fraction: Option<f64>,
-    impacts: usize,
-    oracle: &'a str,
-    method: Option<&'static str>,
-    ending: String,
-}
-
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { case: flags, oracle, digits, .. } = arguments;
+    if let Some(answer) = proven_time::of_more_than_a_case(flags, oracle, *digits)? {
+        return arguments.print_proven(&answer);
+    }
     if let Some((oracle, followed)) = on_motion(flags, oracle, *digits)? {
         return in_scene(arguments, &oracle, &followed);
     }
@@ -82,8 +58,10 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         return in_scene(arguments, oracle.name(), &followed);
     }
     if let Some(proven) = arguments.oracle.proven(flags, &case, *digits)? {
-        if let Some(followed) = follow(flags, oracle.as_ref(), Some(proven.history.ending))? {
-            return in_scene(arguments, oracle.name(), &followed);
+        if goes_on(proven.history.ending)
+            && let Some(answer) = proven_time::of_scene(flags, &arguments.oracle, *digits)?
+        {
+            return arguments.print_proven(&answer);
         }
         return enclosed(arguments, &proven, &case);
     }
@@ -102,13 +80,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     Ok(if has_none { Status::Disagreed } else { Status::Well })
 }
 
-impl Answer<'_> {
-    /// Whether there is a chattering time of which its own oracle does not know how far it is off.
-    fn is_unsure(&self) -> bool {
-        self.tau_ch.is_some() && !self.uncertainty.is_some_and(f64::is_finite)
-    }
-}
-
 impl Arguments {
     /// An oracle with a sum of its own has one chattering time, however many impacts are listed.
     fn refuse_impacts(&self, oracle: &str) -> Result<(), Refused> {
@@ -119,6 +90,22 @@ impl Arguments {
             }
             _ => Ok(()),
         }
+    }
+
+    /// What the judge proves of a scene.
+    fn print_proven(&self, answer: &Answer) -> anyhow::Result<Status> {
+        self.refuse_impacts_in_scene()?;
+        self.format.print(answer, text)?;
+        if answer.rocks && answer.complete.is_none() {
+            note("undecided with the digits that are tried: too near to where the ending changes, or too many impacts");
+        }
+        Ok(Status::Well)
+    }
+
+    /// In a scene that is more than a case it takes as many as it needs.
+    fn refuse_impacts_in_scene(&self) -> Result<(), Invalid> {
+        let why = "only for a scene that is no more than a case: here it takes as many as it needs";
+        self.impacts.map_or(Ok(()), |impacts| Err(Invalid::new("impacts", impacts, why)))
     }
 
     /// What the oracle says, with as many impacts as are asked for, or else as many as sharpen the answer and it can do; and the case with so many.
@@ -176,7 +163,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
         seconds: None,
         half_period_fraction: time.map(|time| time.value / half_period(question.case.omega())),
         impacts: found.attempts.last().map_or(0, |attempt| attempt.impacts),
-        oracle: &method,
+        oracle: method,
         method: time.map(|_| match found.meets {
             true => "the cheapest method that meets the tolerance",
             false => "the best of the methods, none of which is predicted to meet the tolerance",
@@ -196,10 +183,7 @@ fn planned(arguments: &Arguments, question: Question) -> anyhow::Result<Status> 
 
 /// The first rocking of a scene that is more than a case.
 fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow::Result<Status> {
-    if let Some(impacts) = arguments.impacts {
-        let why = "only for a scene that is no more than a case: here it takes as many as it needs";
-        return Err(Invalid::new("impacts", impacts, why).into());
-    }
+    arguments.refuse_impacts_in_scene()?;
     let bout = followed.first();
     let rests = bout.filter(|bout| matches!(bout.outcome, BoutEnd::Complete { .. }) && !bout.is_unsure());
     let time = rests.map(|bout| bout.duration - bout.start);
@@ -221,7 +205,7 @@ fn in_scene(arguments: &Arguments, oracle: &str, followed: &Followed) -> anyhow:
             .zip(followed.response.ground.half_period())
             .map(|(time, half_period)| time / half_period),
         impacts: bout.map_or(0, Bout::impacts),
-        oracle,
+        oracle: oracle.to_owned(),
         method: time.map(|_| "the response of the scene"),
         ending: bout.map_or("never rocks", Bout::ending).to_owned(),
     };
@@ -251,7 +235,7 @@ fn seconds(arguments: &Arguments, answer: &Answer) -> anyhow::Result<Option<f64>
     Ok(scene.zip(answer.tau_ch).map(|(scene, time)| time / scene.block.frequency_parameter()))
 }
 
-fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
+fn answer(oracle: &str, case: &Case, observed: &Observed) -> Answer {
     let history = &observed.history;
     let time = observed.chattering_time;
     Answer {
@@ -270,38 +254,11 @@ fn answer<'a>(oracle: &'a str, case: &Case, observed: &Observed) -> Answer<'a> {
         seconds: None,
         half_period_fraction: time.map(|time| time.value / half_period(case.omega())),
         impacts: history.impacts.len(),
-        oracle,
+        oracle: oracle.to_owned(),
         method: time.map(|_| match history.chattering_time {
             Some(_) => "its own sum",
             None => "extrapolation in eta^2 (Eq. 75 to higher orders)",
         }),
         ending: history.ending.to_string(),
-    }
-}
-
-fn text(answer: &Answer) -> String {
-    if !answer.rocks {
-        return "does not rock: the ground acceleration does not exceed the threshold while it lasts (rocks: false, tau_ch: null)".to_owned();
-    }
-    if let (Some(lower), Some(upper)) = (&answer.lower, &answer.upper) {
-        return format!("proven: complete, {lower}\n      <= tau_ch <= {upper}, by {}", answer.oracle);
-    }
-    if let (Some(time), true) = (answer.tau_ch, answer.is_unsure()) {
-        return format!(
-            "tau_ch is not known: {} comes to {time:?}, and by its own account may be off by any amount",
-            answer.oracle
-        );
-    }
-    // Only a sinusoid has a half period.
-    let fraction = answer.half_period_fraction.map_or(String::new(), |fraction| format!(" = {fraction:?} T/2"));
-    match (answer.tau_ch, answer.uncertainty) {
-        (Some(time), Some(uncertainty)) => format!(
-            "tau_ch = {time:?} ± {uncertainty:.1e}{fraction}{}, complete, by {} from {} impacts, {}",
-            answer.seconds.map_or(String::new(), |seconds| format!(" = {seconds:?} s")),
-            answer.oracle,
-            answer.impacts,
-            answer.method.unwrap_or_default()
-        ),
-        _ => format!("no chattering time: {} after {} impacts, by {}", answer.ending, answer.impacts, answer.oracle),
     }
 }

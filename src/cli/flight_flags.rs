@@ -13,7 +13,7 @@ use super::numbers::number;
 /// Whose flights a response is made of.
 #[derive(Args)]
 pub(super) struct FlightFlags {
-    /// By whose flights the block is followed: closed-form, ode or taylor; response is proven by enclosure too [default: the fastest on the equation and the motion of the ground]
+    /// By whose flights the block is followed: closed-form, ode or taylor; response is proven by enclosure too; auto is the fastest on the equation and the motion of the ground [default: auto]
     #[arg(long, value_name = "NAME")]
     oracle: Option<String>,
     /// For ode: the solver, tsit45, bdf, tr-bdf2 or esdirk34 [default: tsit45]
@@ -23,6 +23,9 @@ pub(super) struct FlightFlags {
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = number)]
     rtol: Option<f64>,
 }
+
+/// The name of the choice that is left to the program.
+pub(super) const AUTO: &str = "auto";
 
 /// What a proof is of: a block, a motion of the ground, and how far it is followed.
 pub(super) type ToProve<'a> = (&'a Body, &'a Motion, &'a Followed);
@@ -73,6 +76,13 @@ impl FlightFlags {
         follows: impl Fn(&dyn Oracle) -> Result<(), Decline>,
     ) -> anyhow::Result<Option<Box<dyn Oracle>>> {
         let settings = self.settings();
+        if self.oracle.as_deref() == Some(AUTO) {
+            let unused = settings.given().next();
+            let refused = unused.map(|(setting, value)| {
+                Refused::unused(setting.name(), value, AUTO, |method| method.uses(setting)).into()
+            });
+            return refused.map_or(Ok(None), Err);
+        }
         let uses_all = |method: &Method| settings.given().all(|(setting, _)| method.uses(setting));
         let name = match self.oracle.as_deref() {
             Some(name) => name,
@@ -85,6 +95,15 @@ impl FlightFlags {
         match follows(oracle.as_ref()) {
             // One for the nonlinear equation may do the linear one too, of a block without a slenderness.
             Ok(()) if oracle.model() == model || model == Model::Linear => Ok(Some(oracle)),
+            Err(why @ Decline::Unsupported { .. })
+                if oracle.model() == model && !follows_responses(oracle.as_ref()) =>
+            {
+                bail!(
+                    "{} declines: {why}; it does not follow a block from impact to impact, of which a response is made: --oracle auto does, and so do {}",
+                    oracle.name(),
+                    followers(model)
+                )
+            }
             Err(why) if oracle.model() == model => bail!("{} declines: {why}", oracle.name()),
             _ => {
                 let solves = |method: &Method| method.models.contains(&model);
@@ -93,4 +112,15 @@ impl FlightFlags {
             }
         }
     }
+}
+
+/// Whether an oracle is one of those that follow whole responses.
+fn follows_responses(oracle: &dyn Oracle) -> bool {
+    panel::method(oracle.name()).is_some_and(|method| !method.responses.is_empty())
+}
+
+/// The methods that follow whole responses on an equation.
+fn followers(model: Model) -> String {
+    let follows = |method: &&Method| method.models.contains(&model) && !method.responses.is_empty();
+    panel::methods().filter(follows).map(|method| method.name).collect::<Vec<_>>().join(", ")
 }

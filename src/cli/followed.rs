@@ -5,7 +5,7 @@ use chattercheck::motion::{
     response::{Bout, Response, Termination},
     scene::Scene,
 };
-use contract::{Ending, Invalid, Oracle};
+use contract::{Decline, Ending, Invalid, Limit, Oracle};
 
 use super::{case_flags::CaseFlags, motion_facts::Facts, oracle_flags::OracleFlags};
 
@@ -15,6 +15,8 @@ pub(super) struct Followed {
     pub scene: Scene,
     /// Its response.
     pub response: Response,
+    /// That to the scene moved by some roundings, which claims come from.
+    pub moved: Response,
 }
 
 impl Followed {
@@ -41,9 +43,11 @@ pub(super) fn on_motion(
     let Some(scene) = flags.scene()?.filter(|scene| scene.sine().is_err()) else { return Ok(None) };
     let request = scene.on_motion(flags.until(), Termination::Exact)?;
     let oracle = oracle.on_motion(flags, &request, digits)?;
-    let response = Response::on_motion(oracle.as_ref(), &request)
-        .map_err(|decline| anyhow!("{} declines {}: {decline}", oracle.name(), scene.ground_name()))?;
-    Ok(Some((oracle.name().to_owned(), Followed { scene, response })))
+    let (response, moved) = Response::and_moved_on_motion(oracle.as_ref(), &request).map_err(|decline| {
+        let hint = if matches!(decline, Decline::Unsupported { .. }) { "; --oracle auto does it" } else { "" };
+        anyhow!("{} declines {}: {decline}{hint}", oracle.name(), scene.ground_name())
+    })?;
+    Ok(Some((oracle.name().to_owned(), Followed { scene, response, moved })))
 }
 
 /// The response of the scene of the flags by `oracle`; `None` if there is no scene, or it is no more than a case: one with the ending given, or if none is given, one
@@ -59,18 +63,22 @@ pub(super) fn follow(
     let Some(scene) = flags.scene()? else { return Ok(None) };
     let goes_on = match ending {
         None => scene.question()?.request.is_some(),
-        Some(Ending::Incomplete | Ending::Overturned | Ending::LimitReached(contract::Limit::Time)) => true,
-        Some(_) => false,
+        Some(ending) => goes_on(ending),
     };
     if !goes_on {
         return Ok(None);
     }
     let request = scene.response(flags.until(), Termination::Exact)?;
-    let response = Response::new(oracle, &request).map_err(|decline| {
+    let (response, moved) = Response::and_moved(oracle, &request).map_err(|decline| {
         anyhow!(
             "{} declines what the scene has beyond a case, a motion that starts elsewhere than at the threshold or ends, or goes on after half a period: {decline}; --oracle auto does it",
             oracle.name()
         )
     })?;
-    Ok(Some(Followed { scene, response }))
+    Ok(Some(Followed { scene, response, moved }))
+}
+
+/// Whether a block that ends its case so rocks on after half a period, which a case knows nothing of.
+pub(super) fn goes_on(ending: Ending) -> bool {
+    matches!(ending, Ending::Incomplete | Ending::Overturned | Ending::LimitReached(Limit::Time))
 }

@@ -3,6 +3,7 @@
 mod case_facts;
 mod case_flags;
 mod chart;
+mod chattering_answer;
 mod chattering_time;
 mod conclusion;
 mod confusion;
@@ -33,6 +34,7 @@ mod part_file;
 mod part_files;
 mod plan;
 mod plan_on_motion;
+mod proven_time;
 mod reference;
 mod replay;
 mod report_files;

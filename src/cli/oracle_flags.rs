@@ -4,13 +4,17 @@ use anyhow::bail;
 use chattercheck::{
     measure::threshold::excess,
     motion::response::OnMotion,
-    panel::{self, Method, Refused, Role, Setting, Settings},
+    panel::{self, Method, ProvenResponse, Refused, Role, Setting, Settings},
     plan::Question,
 };
 use clap::Args;
 use contract::{Case, Invalid, Model, Normalisation, Oracle, Slenderness};
 
-use super::{case_flags::CaseFlags, numbers::number};
+use super::{
+    case_flags::CaseFlags,
+    flight_flags::{AUTO, ToProve},
+    numbers::number,
+};
 
 /// Which oracle to ask, and its settings.
 #[derive(Args)]
@@ -42,9 +46,6 @@ pub(crate) enum Asked {
     /// One oracle.
     Oracle(Box<dyn Oracle>),
 }
-
-/// The name of the choice that is left to the program.
-const AUTO: &str = "auto";
 
 impl OracleFlags {
     /// What is asked about the case that the flags give; `digits` are those that are to be proven.
@@ -97,6 +98,21 @@ impl OracleFlags {
             Some(Err(decline)) => bail!("{name} declines: {decline}"),
             None => Ok(None),
         }
+    }
+
+    /// What the judge proves of a whole response, if that is who is asked: its name, and the bouts.
+    ///
+    /// # Errors
+    /// As [`OracleFlags::asked`].
+    pub fn proven_bouts(
+        &self,
+        flags: &CaseFlags,
+        digits: Option<i64>,
+        model: Model,
+        asked: ToProve,
+    ) -> anyhow::Result<Option<ProvenResponse>> {
+        let Some(name) = self.oracle.as_deref() else { return Ok(None) };
+        Ok(panel::proven_bouts(name, &self.settings(flags, digits), model, asked)?)
     }
 
     /// The accuracy that is asked of the whole.

@@ -5,7 +5,7 @@ use chattercheck::{
     plan::Question,
 };
 use clap::Args;
-use contract::{Case, Ending, History, Impact, Limit, Oracle, Uncertainty};
+use contract::{Case, Ending, History, Impact, Limit, Oracle};
 use serde::Serialize;
 
 use super::{
@@ -146,17 +146,19 @@ impl Arguments {
         }
     }
 
-    /// The impacts of the first rocking of a scene that is more than a case; nothing is claimed for them.
+    /// The impacts of the first rocking of a scene that is more than a case, with the claims of its response.
     fn in_scene(&self, followed: &Followed) -> Listed {
         let Some(bout) = followed.first() else {
             let history = History { impacts: Vec::new(), ending: Ending::NeverRocks, chattering_time: None };
             return Listed { history, start: Start::OF_CASE, unsure: false };
         };
-        let claim = Uncertainty { time: f64::INFINITY, interval: f64::INFINITY, velocity: f64::INFINITY };
+        let eta = followed.scene.block.restitution;
+        let claims = bout.claims(&followed.moved, eta);
         let impacts = bout
-            .impact_list(followed.scene.block.restitution)
+            .impact_list(eta)
+            .zip(claims)
             .take(self.impacts)
-            .map(|(time, interval, velocity)| Impact { time, interval, velocity, uncertainty: claim });
+            .map(|((time, interval, velocity), uncertainty)| Impact { time, interval, velocity, uncertainty });
         let ending = match bout.outcome {
             BoutEnd::Complete { .. } | BoutEnd::VelocityThreshold | BoutEnd::ChatteringThreshold => Ending::AtRest,
             BoutEnd::Overturned => Ending::Overturned,

@@ -1,6 +1,6 @@
 //! What the judge proves of a whole response.
 
-use contract::{Body, Decline, Followed, Model, Motion};
+use contract::{Body, Decline, Estimate, Followed, Model, Motion};
 use enclosure::{EnclosedBout, EnclosedEnd};
 
 use super::{Refused, Role, Settings, enclosure, lookup};
@@ -13,6 +13,16 @@ pub struct ProvenBout {
     pub begin: [String; 2],
     /// The same on when the block rests; `None` where it does not.
     pub rest: Option<[String; 2]>,
+    /// How long it is until then.
+    pub lasts: Option<ProvenTime>,
+}
+
+/// A time with its bounds.
+pub struct ProvenTime {
+    /// The middle of the bounds, and half their width.
+    pub estimate: contract::Estimate,
+    /// With the digits that were asked for, rounded outward.
+    pub bounds: [String; 2],
 }
 
 /// The name of the judge, and what it proves.
@@ -35,10 +45,18 @@ pub fn proven_bouts(
     let judge = enclosure(&settings, model)?.patient();
     let digits = judge.digits();
     let decimals = |bounds: &enclosure::Bounds| bounds.decimals(bounds.places(digits));
-    let proven = |found: &EnclosedBout| ProvenBout {
-        bout: found.bout(),
-        begin: decimals(&found.begin),
-        rest: if let EnclosedEnd::Rest(time) = &found.end { Some(decimals(time)) } else { None },
+    let lasts = |time: enclosure::Bounds| {
+        let (value, uncertainty) = time.middle();
+        ProvenTime { estimate: Estimate { value, uncertainty }, bounds: decimals(&time) }
+    };
+    let proven = |found: &EnclosedBout| {
+        let rest = if let EnclosedEnd::Rest(time) = &found.end { Some(time) } else { None };
+        ProvenBout {
+            bout: found.bout(),
+            begin: decimals(&found.begin),
+            rest: rest.map(decimals),
+            lasts: rest.map(|time| lasts(time.since(&found.begin))),
+        }
     };
     let bouts = judge.enclose_on(body, motion, asked).map(|bouts| bouts.iter().map(proven).collect());
     Ok(Some((contract::Oracle::name(&judge).to_owned(), bouts)))

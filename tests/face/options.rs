@@ -105,6 +105,64 @@ fn where_no_method_is_named_the_first_that_uses_everything_is_asked() {
     }
 }
 
+/// Of a scene as of a case: whoever follows the block, an option changes the answer or is refused, and then both are named.
+#[test]
+fn an_option_of_a_scene_changes_the_answer_or_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let quick = folder.path().join("quick.toml");
+    std::fs::write(&quick, QUICK).unwrap();
+    let quick = quick.to_str().unwrap();
+    let of_response = [
+        "--closing series",
+        "--closing impacts",
+        "--condition eq77",
+        "--velocity-threshold 1e-3",
+        "--termination velocity --velocity-threshold 1e-3",
+        "--termination chattering",
+        "--digits 20",
+        "--from 0.1",
+        "--to 0.2",
+        "--steps 7",
+        "--svg -",
+        "--impacts 3",
+    ];
+    let of_all = ["--method bdf", "--rtol 1e-5", "--until 0.5"];
+    for (command, options) in [
+        (format!("response {quick}"), [&of_all[..], &of_response].concat()),
+        (
+            format!("chattering-time --scene {quick}"),
+            [&of_all[..], &["--flights naive", "--order 3", "--tolerance 1e-3", "--digits 20"]].concat(),
+        ),
+        (
+            format!("simulate --scene {quick}"),
+            [&of_all[..], &["--flights naive", "--order 3", "--tolerance 1e-3"]].concat(),
+        ),
+    ] {
+        for method in ["auto", "closed-form", "ode", "taylor", "accumulation", "printed", "enclosure"] {
+            let model = if method == "taylor" { "nonlinear" } else { "linear" };
+            let base = format!("{command} --model {model} --oracle {method} --format json");
+            let (status, without, err) = run(&base);
+            if status == Some(2) {
+                assert!(err.contains(method) && err.contains("declines"), "{base}: {err}");
+                continue;
+            }
+            for option in &options {
+                let (status, out, err) = run(&format!("{base} {option}"));
+                let name = option.split_whitespace().next().unwrap().trim_start_matches("--");
+                // What an option is by default may be said.
+                let said = *option == "--closing impacts";
+                match status {
+                    Some(2) => assert!(
+                        err.lines().count() == 1 && (err.contains(name) || err.contains("declines")),
+                        "{base} {option}: {err}"
+                    ),
+                    _ => assert!(out != without || said, "{base}: ignores {option}"),
+                }
+            }
+        }
+    }
+}
+
 /// A stocky block overturns where the slender one comes to rest, and below its own threshold it does not rock at all.
 #[test]
 fn the_slenderness_that_is_given_is_that_of_the_answer() {
@@ -162,6 +220,14 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("response PULSE --oracle enclosure", "--format csv", Refused(&["format = csv"])),
         ("response PULSE --oracle enclosure", "--svg -", Refused(&["--svg"])),
         ("response PULSE --oracle enclosure", "--steps 7", Refused(&["steps = 7"])),
+        (
+            "response PULSE --oracle enclosure",
+            "--termination velocity",
+            Refused(&["termination = velocity", "enclosure"]),
+        ),
+        ("response PULSE --oracle auto", "--format json", Used),
+        ("response PULSE --oracle auto", "--rtol 1e-5", Refused(&["rtol = 1e-5", "auto", "--oracle ode"])),
+        ("verify --list", "--quiet", Refused(&["--list", "--quiet"])),
         ("response SCENE", "--until 0.5", Used),
         ("response SCENE", "--until 0.2s", Used),
         ("response SCENE", "--format text", Used),
@@ -183,7 +249,11 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("response PULSE --oracle taylor", "--rtol 1e-5", Refused(&["rtol = 1e-5", "taylor", "--oracle ode"])),
         ("response PULSE", "--oracle ode --rtol 1", Refused(&["rtol = 1 ", "1e-13 <= rtol <= 1e-2"])),
         ("response PULSE", "--oracle closed-form", Refused(&["model = nonlinear", "closed-form"])),
-        ("response PULSE --model linear", "--oracle asymptotic", Refused(&["asymptotic/paper declines", "motions"])),
+        (
+            "response PULSE --model linear",
+            "--oracle asymptotic",
+            Refused(&["asymptotic/paper declines", "from impact to impact", "--oracle auto", "closed-form"]),
+        ),
         ("response PULSE", "--oracle ode/nonlinear/tsit45/naive", Refused(&["naive declines", "one clock"])),
         ("criterion PULSE", "--oracle ode", Used),
         ("criterion PULSE", "--method bdf", Used),
@@ -194,6 +264,15 @@ fn an_option_of_a_command_is_used_or_refused() {
         ("chattering-time --scene PULSE", "--model linear", Used),
         ("chattering-time --scene PULSE", "--until 0.1", Used),
         ("chattering-time --scene PULSE", "--oracle ode", Used),
+        ("chattering-time --scene PULSE", "--oracle enclosure", Used),
+        ("chattering-time --scene PULSE --oracle enclosure", "--digits 30", Used),
+        ("chattering-time --scene PULSE --oracle enclosure", "--until 0.1", Used),
+        ("chattering-time --scene PULSE --oracle enclosure", "--impacts 5", Refused(&["impacts = 5", "scene"])),
+        (
+            "chattering-time --scene PULSE --oracle enclosure",
+            "--rtol 1e-5",
+            Refused(&["rtol = 1e-5", "enclosure", "--oracle ode"]),
+        ),
         ("chattering-time --scene PULSE", "--impacts 5", Refused(&["impacts = 5", "scene"])),
         ("chattering-time --scene PULSE", "--tolerance 1e-3", Refused(&["tolerance = 1e-3", "auto"])),
         ("chattering-time --scene PULSE", "--digits 30", Refused(&["digits = 30", "auto"])),

@@ -18,6 +18,7 @@ mod rows;
 mod scenes;
 mod slender_threshold;
 mod thrift;
+mod touching;
 mod weak;
 
 #[path = "../effort/mod.rs"]

@@ -69,9 +69,9 @@ pub(super) struct Arguments {
     /// For the chattering threshold: the fit of the critical amplitude below which it applies [default: eq76]
     #[arg(long, value_enum)]
     condition: Option<Fit>,
-    /// How the infinite sum is closed where chattering is ended exactly: from the list of impacts, or from the last one alone, by its local series
-    #[arg(long, value_enum, default_value_t = Closing::Impacts)]
-    closing: Closing,
+    /// How the infinite sum is closed where chattering is ended exactly: from the list of impacts, or from the last one alone, by its local series [default: impacts]
+    #[arg(long, value_enum)]
+    closing: Option<Closing>,
     /// Follow the block to this time at the most: tau, as in 2.5, or seconds, as in 2.5s
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     until: Option<Moment>,
@@ -153,9 +153,15 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
         Asked::Sinusoid(request) => arguments.flights.on_sinusoid(scene.ask.model, request),
         Asked::Motion(request) => arguments.flights.on_motion(scene.ask.model, request),
     }?;
+    let method = |oracle: &dyn Oracle| panel::method(oracle.name()).map(|method| method.name);
+    let closes_itself = method(oracle.as_ref()) == method(panel::closing().as_ref());
+    if let Some(closing) = arguments.closing.filter(|_| closes_itself) {
+        let allowed = "only with an oracle that has no local series of its own, not with accumulation";
+        return Err(Invalid::new("closing", typed(closing), allowed).into());
+    }
     let oracle: Box<dyn Oracle> = match arguments.closing {
-        Closing::Impacts => oracle,
-        Closing::Series => {
+        None | Some(Closing::Impacts) => oracle,
+        Some(Closing::Series) => {
             let closing = panel::closing();
             Box::new(Closed::new(format!("{} closed by {}", oracle.name(), closing.name()), oracle, closing))
         }
@@ -205,6 +211,12 @@ impl Row {
     }
 }
 
+/// A value of a list as it is typed.
+fn typed(value: impl ValueEnum) -> String {
+    let typed = value.to_possible_value();
+    typed.as_ref().map_or("", PossibleValue::get_name).to_owned()
+}
+
 impl Arguments {
     fn asked(&self, scene: &Scene) -> anyhow::Result<Asked> {
         let until = self.until.map(|until| until.tau(scene.block.frequency_parameter()));
@@ -226,14 +238,11 @@ impl Arguments {
                 "only with --termination velocity"
             )
         );
-        ensure!(
-            self.closing == Closing::Impacts || self.termination == Scheme::Exact,
-            Invalid::new("closing", "series", "only with --termination exact")
-        );
+        if let (Some(closing), true) = (self.closing, self.termination != Scheme::Exact) {
+            return Err(Invalid::new("closing", typed(closing), "only with --termination exact").into());
+        }
         if let (Some(condition), true) = (self.condition, self.termination != Scheme::Chattering) {
-            let typed = condition.to_possible_value();
-            let typed = typed.as_ref().map_or("", PossibleValue::get_name);
-            return Err(Invalid::new("condition", typed, "only with --termination chattering").into());
+            return Err(Invalid::new("condition", typed(condition), "only with --termination chattering").into());
         }
         Ok(match self.termination {
             Scheme::Exact => Termination::Exact,
@@ -268,9 +277,7 @@ impl Arguments {
         let record = record.map(|record| ("it has to be another file than the record of the scene", record));
         let files = self.drawings.check(&[scene].into_iter().chain(record).collect::<Vec<_>>())?;
         if let (Some(format), true) = (self.format, files.take_stdout()) {
-            let name = format.to_possible_value();
-            let name = name.as_ref().map_or("", PossibleValue::get_name);
-            return Err(Invalid::new("format", name, "none where - is the file of --svg or --html").into());
+            return Err(Invalid::new("format", typed(format), "none where - is the file of --svg or --html").into());
         }
         let format = self.format(&files);
         let is_csv = matches!(format, Some(Format::Csv));

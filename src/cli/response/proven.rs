@@ -1,6 +1,6 @@
 //! The response as the judge proves it: when the block rocks and rests, between bounds. It has no table and no drawing.
 
-use anyhow::{anyhow, ensure};
+use anyhow::anyhow;
 use chattercheck::{
     motion::{response::Termination, scene::Scene},
     panel::ProvenBout,
@@ -15,6 +15,7 @@ use super::{
     },
     Arguments, Format, Scheme,
     drawings::Files,
+    typed,
 };
 
 /// How many impacts are listed unless told otherwise: none are asked for.
@@ -69,19 +70,9 @@ pub(super) fn run(arguments: &Arguments, scene: &Scene, files: &Files) -> anyhow
     else {
         return Ok(None);
     };
-    let refused = |field, value: String| {
-        Invalid::new(field, value, "only with an oracle that follows flights, not with enclosure")
-    };
-    ensure!(arguments.termination == Scheme::Exact, refused("termination", "a scheme".to_owned()));
-    let moments = [("from", arguments.from), ("to", arguments.to)];
-    if let Some((field, moment)) = moments.into_iter().find_map(|(field, moment)| Some((field, moment?))) {
-        return Err(refused(field, moment.to_string()).into());
+    if let Some((field, value)) = unused(arguments, files) {
+        return Err(Invalid::new(field, value, "only with an oracle that follows flights, not with enclosure").into());
     }
-    if let Some(steps) = arguments.steps {
-        return Err(refused("steps", steps.to_string()).into());
-    }
-    ensure!(files.is_empty(), refused("drawing", "--svg or --html".to_owned()));
-    ensure!(!matches!(arguments.format, Some(Format::Csv)), refused("format", "csv".to_owned()));
     let bouts = bouts.map_err(|decline| anyhow!("{oracle} declines: {decline}"))?;
     let rows: Vec<Row> = bouts.iter().map(|bout| row(bout, arguments.impacts.is_some())).collect();
     let is_open = bouts.iter().any(|proven| proven.bout.end == BoutEnd::Undecided);
@@ -98,7 +89,25 @@ pub(super) fn run(arguments: &Arguments, scene: &Scene, files: &Files) -> anyhow
     Ok(Some(Status::Well))
 }
 
-fn row(ProvenBout { bout, begin, rest }: &ProvenBout, lists: bool) -> Row {
+/// The first option that a proof does not use, and its value.
+fn unused(arguments: &Arguments, files: &Files) -> Option<(&'static str, String)> {
+    let is_scheme = arguments.termination != Scheme::Exact;
+    let is_csv = matches!(arguments.format, Some(Format::Csv));
+    let options = [
+        ("termination", is_scheme.then(|| typed(arguments.termination))),
+        ("velocity-threshold", arguments.velocity_threshold.map(|threshold| threshold.to_string())),
+        ("condition", arguments.condition.map(typed)),
+        ("closing", arguments.closing.map(typed)),
+        ("from", arguments.from.map(|moment| moment.to_string())),
+        ("to", arguments.to.map(|moment| moment.to_string())),
+        ("steps", arguments.steps.map(|steps| steps.to_string())),
+        ("drawing", (!files.is_empty()).then(|| "--svg or --html".to_owned())),
+        ("format", is_csv.then(|| "csv".to_owned())),
+    ];
+    options.into_iter().find_map(|(field, value)| Some((field, value?)))
+}
+
+fn row(ProvenBout { bout, begin, rest, .. }: &ProvenBout, lists: bool) -> Row {
     let Bout { begin: from, impacts, end, .. } = bout;
     let [from_lower, from_upper] = begin.clone();
     let (lower, upper) = rest.clone().map_or((None, None), |[lower, upper]| (Some(lower), Some(upper)));

@@ -4,6 +4,7 @@
 //! The response is made of flights, which a [`FlightSolver`](contract::FlightSolver) follows one at a time: `closed-form` for Eq. 4, `taylor` for
 //! Eq. 2. Chattering is closed as an infinite sum unless one of the schemes of Section 5.2 is asked for.
 
+mod claims;
 mod fall;
 mod lobes;
 mod peak;
@@ -188,7 +189,22 @@ impl Bout {
     /// Whether so little is known of its end that its time is not to be relied on.
     pub fn is_unsure(&self) -> bool {
         let uncertainty = self.uncertainty();
-        uncertainty.is_nan() || uncertainty > SURE * (self.duration - self.start)
+        uncertainty.is_nan() || uncertainty > f64::max(SURE * self.length(), KNOWN * self.end())
+    }
+
+    /// How long it lasts.
+    fn length(&self) -> f64 {
+        self.duration - self.start
+    }
+
+    /// Whether the ground did no more than touch the threshold: the block has come to rest again before anything could be seen.
+    fn is_touch(&self) -> bool {
+        self.outcome.is_rest() && self.length() <= TOUCH * self.end()
+    }
+
+    /// Whether it begins where another one does, as far as touches are told apart.
+    fn is_beside(&self, other: &Self) -> bool {
+        (self.begin() - other.begin()).abs() <= TOUCH * other.end()
     }
 
     /// The name of its end in reports: `unsure` where it is not known well enough to be called by its name.
@@ -215,11 +231,20 @@ impl Response {
     /// # Errors
     /// When the oracle declines, because it has no flights or can't do the case.
     pub fn new(oracle: &dyn Oracle, request: &Request) -> Result<Self, Decline> {
+        Self::and_moved(oracle, request).map(|(response, _)| response)
+    }
+
+    /// The response, and that to the request moved by some roundings, which its claims come from.
+    ///
+    /// # Errors
+    /// As [`Response::new`].
+    pub fn and_moved(oracle: &dyn Oracle, request: &Request) -> Result<(Self, Self), Decline> {
         if request.case.epsilon() <= 0.0 {
             // Below the threshold nothing ever happens.
             let end = request.lasts.unwrap_or(f64::INFINITY).min(request.until);
             let ground = Shaken::Sinusoid(Lobes::new(&request.case, request.phase));
-            return Ok(Self { ground, lasts: request.lasts, bouts: Vec::new(), lying: None, end });
+            let response = Self { ground, lasts: request.lasts, bouts: Vec::new(), lying: None, end };
+            return Ok((response.clone(), response));
         }
         let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
         // What rounding does in all flights before a rest is what moving the parameters by about a rounding does; and what a tolerance does is what a coarser one
@@ -229,7 +254,7 @@ impl Response {
         let coarser = oracle.coarser();
         let other = coarser.as_deref().unwrap_or(oracle).flights(&case)?;
         let other = run::follow(&Request { case, ..*request }, other.as_ref());
-        Ok(response.with_conditioning(&other))
+        Ok((response.with_conditioning(&other), other))
     }
 
     /// The response to another motion than a sinusoid, by the flights of `oracle`.
@@ -237,19 +262,28 @@ impl Response {
     /// # Errors
     /// When the oracle declines, because it has no flights on such a motion or can't do it.
     pub fn on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<Self, Decline> {
+        Self::and_moved_on_motion(oracle, request).map(|(response, _)| response)
+    }
+
+    /// As [`Response::and_moved`], to another motion than a sinusoid.
+    ///
+    /// # Errors
+    /// As [`Response::on_motion`].
+    pub fn and_moved_on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<(Self, Self), Decline> {
         let response = Self::once_on_motion(oracle, request)?;
         let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
         // A record has been divided by the threshold: some roundings of each sample.
         let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
         let other = OnMotion { motion: Arc::new(motion), ..request.clone() };
         let coarser = oracle.coarser();
-        let response = response.with_conditioning(&Self::once_on_motion(coarser.as_deref().unwrap_or(oracle), &other)?);
+        let follower = coarser.as_deref().unwrap_or(oracle);
+        let other = run::follow_moved(&other, follower.flights_on(&other.body, &other.motion)?.as_ref());
         let way = Way {
             eta: request.body.eta(),
             is_integrated: coarser.is_some(),
             is_linear: oracle.model() == Model::Linear,
         };
-        Ok(response.with_rounding(way))
+        Ok((response.with_conditioning(&other).with_rounding(way), other))
     }
 
     /// The same, of which it is not said what rounding does to it.
@@ -263,11 +297,22 @@ impl Response {
     /// Adds how far `other` is from it, which differs by rounding; once the two have parted, nothing that follows is known.
     fn with_conditioning(mut self, other: &Self) -> Self {
         let mut parted = false;
-        for (k, bout) in self.bouts.iter_mut().enumerate() {
-            let same = other.bouts.get(k).filter(|other| other.is_like(bout));
-            parted |= same.is_none();
+        let mut others = other.bouts.iter().peekable();
+        for bout in &mut self.bouts {
+            // Where the ground just touches the threshold, rounding decides whether the block moves at all: what follows is the same after such a moment of rocking
+            // as without it.
+            let is_touch = bout.is_touch();
+            let is_between = |other: &&Bout| other.is_touch() && other.begin() < bout.begin() && !other.is_beside(bout);
+            while others.next_if(is_between).is_some() {}
+            let same = others.next_if(|other| !is_touch || other.is_beside(bout));
+            let same = same.filter(|other| other.is_like(bout) || is_touch && other.outcome.is_rest());
             // The time itself is a double, and so is that of the lobe that it is counted from.
             let rounding = f64::EPSILON * bout.end();
+            if is_touch && same.is_none() && !parted {
+                bout.conditioning = bout.length() + rounding;
+                continue;
+            }
+            parted |= same.is_none();
             let moved = same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs() + rounding);
             bout.conditioning = if parted { f64::INFINITY } else { moved };
             if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
@@ -326,6 +371,10 @@ impl Response {
 const MOST_CYCLES: f64 = 1e4;
 /// The end of a bout is known if its time is, to this share of how long it lasts.
 const SURE: f64 = 1e-3;
+/// Or to this share of itself: a bout may be shorter than what its end is known to.
+const KNOWN: f64 = 1e-12;
+/// A bout that lasts no longer than this share of the time is one of a ground that touches the threshold.
+const TOUCH: f64 = 1e-6;
 /// By how many impacts two bouts may differ that end with infinitely many, or with a speed.
 const ALIKE: usize = 4;
 /// What multiple of the change is claimed: rounding of every flight may add up to more than one change of the parameters shows.

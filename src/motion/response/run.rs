@@ -5,7 +5,7 @@ use std::sync::Arc;
 use contract::{Arrival, Departure, Estimate, FlightSolver, Ground};
 
 use super::{
-    Bout, BoutEnd, OnMotion, Request, Response,
+    Bout, BoutEnd, OnMotion, Request, Response, TOUCH,
     fall::{Fall, Fallen},
     lobes::{Lobe, Lobes},
     shaken::Shaken,
@@ -30,12 +30,22 @@ pub(super) fn follow(request: &Request, solver: &dyn FlightSolver) -> Response {
         lies_at: request.lies_at,
         lasts: request.lasts.unwrap_or(f64::INFINITY),
         until: request.until,
+        passes_touches: false,
     };
     runner.follow(None, request.lasts, request.most_impacts)
 }
 
 /// Follows the block on ground that moves in any way, from the start that is asked for.
 pub(super) fn follow_motion(request: &OnMotion, solver: &dyn FlightSolver) -> Response {
+    follow_any(request, solver, false)
+}
+
+/// The same of a motion that is moved by some roundings: where only these make the ground push, so shortly that the solver can't follow it, the block stays at rest.
+pub(super) fn follow_moved(request: &OnMotion, solver: &dyn FlightSolver) -> Response {
+    follow_any(request, solver, true)
+}
+
+fn follow_any(request: &OnMotion, solver: &dyn FlightSolver, passes_touches: bool) -> Response {
     let lasts = request.motion.duration();
     let runner = Runner {
         solver,
@@ -47,6 +57,7 @@ pub(super) fn follow_motion(request: &OnMotion, solver: &dyn FlightSolver) -> Re
         lies_at: request.lies_at,
         lasts,
         until: request.until,
+        passes_touches,
     };
     let (rotation, velocity) = request.start;
     let moves = (rotation, velocity) != (0.0, 0.0);
@@ -67,6 +78,7 @@ struct Runner<'a> {
     lies_at: Option<f64>,
     lasts: f64,
     until: f64,
+    passes_touches: bool,
 }
 
 impl Runner<'_> {
@@ -100,6 +112,12 @@ impl Runner<'_> {
             if again.is_none() && self.can_be_repeated(&bout) {
                 again = Some(bout.clone());
             }
+            if self.passes_touches
+                && let Some(after) = self.after_touch(&bout)
+            {
+                now = after;
+                continue;
+            }
             now = bout.end();
             let rests = bout.outcome.is_rest();
             bouts.push(bout);
@@ -108,6 +126,13 @@ impl Runner<'_> {
             }
         };
         Response { ground: self.ground, lasts, bouts, lying, end }
+    }
+
+    /// When a bout is over in which the solver lost the block at once, or never came to an end of it, if the ground no more than touches the threshold there.
+    fn after_touch(&self, bout: &Bout) -> Option<f64> {
+        let after = bout.begin() * (1.0 + TOUCH);
+        let is_lost = matches!(bout.outcome, BoutEnd::Lost(_) | BoutEnd::TooManyImpacts) && bout.end() <= after;
+        (is_lost && self.ground.acceleration(after).abs() <= 1.0).then_some(after)
     }
 
     /// Whether a bout started from rest at the threshold and was over before the ground motion or the response ends: then it is the same each time.
