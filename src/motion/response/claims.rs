@@ -7,8 +7,8 @@ use super::{Bout, Response};
 /// What a flight leaves of rounding in its duration and its speed, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// What multiple of the change is claimed. The motion is moved as a whole, and rounding moves each sample and each flight by itself: against the proofs of the first
-/// impacts on records and pulses, errors came to 15 times the change.
-const MARGIN: f64 = 32.0;
+/// impacts on records and pulses, errors came to 25 times the change.
+const MARGIN: f64 = 64.0;
 
 impl Bout {
     /// The claims for its impacts, from the response that is moved: the time absolute, the interval and the velocity relative. Infinite for impacts that the
