@@ -2,7 +2,7 @@
 //!
 //! - The gate: [how a verdict comes about](gate), [the judge](judge), [reading a red run](red), [what the gate catches](detection),
 //!   [expected divergences](divergences), [where cases come from](cases), [a run in parts, and in CI](parts).
-//! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [a bookcase in an earthquake](earthquake), [whole responses](responses), [maps](sweep), [the plan](plan).
+//! - Using it: [the commands](commands), [a simulator of your own under the gate](engines), [the methods](methods), [scenes in physical units](scenes), [a bookcase in an earthquake](earthquake), [whole responses](responses), [Python](python), [maps](sweep), [the plan](plan).
 //! - Theory: [chattering under any motion of the ground](any_motion).
 //! - What was found: [where the asymptotics break](asymptotics), [the critical amplitude](critical), [the paper](paper), [how fast it is](speed),
 //!   [other tools](peers).
@@ -28,6 +28,7 @@ macro_rules! links {
 [responses]: crate::guide::responses
 [plan]: crate::guide::plan
 [sweep]: crate::guide::sweep
+[python]: crate::guide::python
 [any_motion]: crate::guide::any_motion
 [asymptotics]: crate::guide::asymptotics
 [critical]: crate::guide::critical
@@ -51,7 +52,7 @@ macro_rules! chapters {
 
 chapters! {
     gate judge red detection divergences cases parts
-    commands engines methods scenes earthquake responses plan sweep
+    commands engines methods scenes earthquake responses plan sweep python
     any_motion asymptotics critical paper speed peers
     add
 }

@@ -34,6 +34,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("sweep", &["cases", "measure", "motion", "panel", "stored", "studies"]),
     // A report as one HTML file.
     ("page", &["cases", "gate", "measure"]),
+    // The Python package: a crate of its own, which takes the harness from outside.
+    ("python", &[]),
     ("guide", &[]),
 ];
 

@@ -35,6 +35,35 @@ pub struct Shaking {
     pub notes: Vec<String>,
 }
 
+impl Shaking {
+    /// A record under this block, by its samples in these units: a time `dt` apart, in `τ`, and each times `scale`.
+    ///
+    /// # Errors
+    /// As [`Motion::record`].
+    pub fn of_samples(
+        block: &Block,
+        units: Units,
+        (dt, scale): (f64, f64),
+        samples: Vec<f64>,
+    ) -> Result<Self, Invalid> {
+        let unit = in_thresholds(units, block);
+        let motion = Arc::new(Motion::record(dt, scale * unit, samples)?);
+        let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
+        Ok(Self { name: "a record", motion, rounding, over_slender: None, file: None, notes: Vec::new() })
+    }
+}
+
+/// One of these units, in multiples of the acceleration at which the block begins to rock.
+fn in_thresholds(units: Units, block: &Block) -> f64 {
+    let threshold = block.gravity * block.slenderness.tan();
+    match units {
+        Units::G => block.gravity / threshold,
+        Units::MetresPerSecondSquared => 1.0 / threshold,
+        Units::CentimetresPerSecondSquared => 0.01 / threshold,
+        Units::Threshold => 1.0,
+    }
+}
+
 /// What is known when the ground is read.
 pub(super) struct Reader<'a> {
     pub block: &'a Block,
@@ -222,12 +251,7 @@ impl Reader<'_> {
             let line = line.map_or(String::new(), |line| format!(" line {line}:"));
             at_file(format!("{}:{line} {said}", path.display()))
         };
-        let unit = match units {
-            Units::G => self.block.gravity / self.threshold(),
-            Units::MetresPerSecondSquared => 1.0 / self.threshold(),
-            Units::CentimetresPerSecondSquared => 0.01 / self.threshold(),
-            Units::Threshold => 1.0,
-        };
+        let unit = in_thresholds(units, self.block);
         let of_file = dt.map(|seconds| seconds * p);
         if let (Some(tau), Some(of_file), Some(field)) = (in_tau, of_file, &record.dt)
             && (tau - of_file).abs() > 1e-6 * of_file
@@ -256,21 +280,15 @@ impl Reader<'_> {
             return Err(in_file(line, said));
         }
         let (samples, notes) = (std::mem::take(&mut read.samples), std::mem::take(&mut read.notes));
-        let motion = Motion::record(dt, factor, samples).map_err(|invalid| at_file(invalid.to_string()))?;
-        let rounding = if unit == 1.0 { 0.0 } else { ROUNDING };
-        let over_slender = None;
-        Ok(Shaking { name: "a record", motion: Arc::new(motion), rounding, over_slender, file: Some(path), notes })
+        let shaking = Shaking::of_samples(self.block, units, (dt, direction * scale), samples);
+        let shaking = shaking.map_err(|invalid| at_file(invalid.to_string()))?;
+        Ok(Shaking { file: Some(path), notes, ..shaking })
     }
 
     fn over_slender<'b>(&self, mut amplitudes: impl Iterator<Item = &'b Spanned<Amplitude>>) -> Option<Model> {
         let is_slender =
             |amplitude: &Spanned<Amplitude>| matches!(amplitude.get_ref(), Amplitude::OverSlenderThreshold(_));
         amplitudes.any(is_slender).then_some(self.model)
-    }
-
-    /// The acceleration at which the block begins to rock, m/s².
-    fn threshold(&self) -> f64 {
-        self.block.gravity * self.block.slenderness.tan()
     }
 
     /// In multiples of the threshold, and by how much that may be off, relative.
