@@ -25,7 +25,7 @@ def test_one_that_claims_nothing_passes_by_what_is_granted_to_it() -> None:
 
 
 def test_what_is_wrong_is_found_and_explained() -> None:
-    report = cc.verify(simulators.sometimes, cases=0, tolerance=1e-9)
+    report = cc.verify(simulators.wrong, cases=0, tolerance=1e-9)
     assert not report.ok and len(report.of("velocity")) > 20
     first = report.of("velocity")[0]
     assert first.impact == 1 and "WRONG on velocity" in first.text
