@@ -123,7 +123,7 @@ fn what_is_wrong_is_said_with_its_line() {
             "run = [\"sh\"]\nknown = [{ class = \"interval\", where = { eta = [1.5, 2.0] }, reason = \"r\" }]",
             "line 5: where: no case has eta from 1.5 to 2",
         ),
-        ("", "run is missing"),
+        ("", "line 1: run is missing in [engine]; allowed is a list of texts"),
     ] {
         let told = told(lines);
         assert!(told.starts_with(&format!("engines.toml: {expected}")), "{told}");
