@@ -23,9 +23,6 @@ const PULL: f64 = 4.0;
 const CLOCK: f64 = 2.0;
 /// How many times more a flight leaves behind that is integrated to a tolerance, which narrows a root down to some hundred roundings of a clock.
 const INTEGRATED: f64 = 100.0;
-/// The pulls of shorter flights follow from what they do.
-const SHORT: f64 = 0.2;
-
 /// How a bout was followed.
 #[derive(Clone, Copy)]
 pub(super) struct Way {
@@ -144,9 +141,8 @@ impl Around<'_> {
         if let Arrival::Impact { speed, .. } = flight.arrival
             && !self.is_linear
             && departure.rotation == 0.0
-            && *duration < SHORT
         {
-            // Those of Eq. 4 are off by what is linear in it, flight after flight. The straight line of a pull with which a flight takes so long and ends so fast is not.
+            // Those of Eq. 4 are off by what is not linear in Eq. 2, flight after flight, and the sum would grow with it. The straight line of a pull with which a flight takes so long and ends so fast is not.
             let half = 0.5 * duration;
             let (mean, tanh) = (0.5 * (departure.velocity + speed), half.tanh());
             let bend = half / tanh - 1.0;
