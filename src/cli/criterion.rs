@@ -3,8 +3,8 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        criterion::{Criterion, criteria, critical_scale},
-        response::{Bout, Response, Termination},
+        criterion::{Told, criteria, critical_scale},
+        response::{Response, Termination},
     },
     panel,
 };
@@ -56,7 +56,7 @@ struct Answer {
     title: String,
     /// `p`, 1/s: a time over it is in seconds.
     frequency_parameter: f64,
-    bouts: Vec<Row>,
+    bouts: Vec<Told>,
     incomplete: Incomplete,
 }
 
@@ -69,34 +69,6 @@ struct Incomplete {
     searched_to: f64,
     /// Whether that is proven: never here, see `overturning`.
     certified: bool,
-}
-
-#[derive(Serialize)]
-struct Row {
-    from: f64,
-    to: f64,
-    ending: &'static str,
-    /// The impact from which on rest was certain; `null` if it never was.
-    certain_from_impact: Option<usize>,
-    certain_at: Option<f64>,
-    /// The bounds on the time of rest that were proven then.
-    rest_lower: Option<f64>,
-    rest_upper: Option<f64>,
-    /// The first impact from which alone the local series is trusted; `null` if it never is.
-    predicted_from_impact: Option<usize>,
-    predicted_at: Option<f64>,
-    /// When it says that rest comes, and what it claims that this is off by.
-    predicted_rest: Option<f64>,
-    predicted_uncertainty: Option<f64>,
-    /// The time that is left then, predicted and true.
-    predicted_left: Option<f64>,
-    true_left: Option<f64>,
-    /// When the ground pushes the block off again; `null` if it does not.
-    gap_end: Option<f64>,
-    /// What is left of the gap at rest.
-    margin: Option<f64>,
-    /// Whether a gap was missed before: incomplete chattering.
-    missed_a_gap: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
@@ -114,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let fastest = panel::stepper_on(&request.body, &request.motion);
     let critical =
         critical_scale(fastest.as_ref(), &request, most).map_err(|why| anyhow!("{}: {why}", fastest.name()))?;
-    let bouts = response.bouts.iter().zip(&found).map(|(bout, criterion)| row(bout, criterion)).collect();
+    let bouts = response.bouts.iter().zip(&found).map(|(bout, criterion)| criterion.told(bout)).collect();
     let answer = Answer {
         title: scene.title.clone(),
         frequency_parameter: scene.block.frequency_parameter(),
@@ -131,29 +103,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     Ok(Status::Well)
 }
 
-fn row(bout: &Bout, criterion: &Criterion) -> Row {
-    let Criterion { certain, gap_end, missed_a_gap, predicted } = *criterion;
-    let between = certain.and_then(|certain| certain.between);
-    Row {
-        from: bout.begin(),
-        to: bout.end(),
-        ending: bout.ending(),
-        certain_from_impact: certain.map(|certain| certain.impact),
-        certain_at: certain.map(|certain| certain.time),
-        rest_lower: between.map(|(lower, _)| lower),
-        rest_upper: between.map(|(_, upper)| upper),
-        predicted_from_impact: predicted.map(|predicted| predicted.impact),
-        predicted_at: predicted.map(|predicted| predicted.time),
-        predicted_rest: predicted.map(|predicted| predicted.rest.value),
-        predicted_uncertainty: predicted.map(|predicted| predicted.rest.uncertainty),
-        predicted_left: predicted.map(|predicted| predicted.rest.value - predicted.time),
-        true_left: predicted.map(|predicted| bout.end() - predicted.time),
-        gap_end,
-        margin: gap_end.map(|end| end - bout.end()),
-        missed_a_gap,
-    }
-}
-
 fn text(answer: &Answer) -> String {
     let Answer { title, frequency_parameter: p, bouts, incomplete } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
@@ -161,8 +110,17 @@ fn text(answer: &Answer) -> String {
         lines.push("  the block never rocks".to_owned());
     }
     for bout in bouts {
-        let Row {
-            from, to, ending, certain_from_impact, certain_at, rest_lower, rest_upper, margin, missed_a_gap, ..
+        let Told {
+            from,
+            to,
+            ending,
+            certain_from_impact,
+            certain_at,
+            rest_lower,
+            rest_upper,
+            margin,
+            missed_a_gap,
+            ..
         } = bout;
         lines.push(format!("  rocks from {:.6} s to {:.6} s (tau = {from} to {to}): {ending}", from / p, to / p));
         if *missed_a_gap {
@@ -191,7 +149,7 @@ fn text(answer: &Answer) -> String {
 }
 
 /// What the series said, and what came.
-fn prediction(bout: &Row) -> Option<String> {
+fn prediction(bout: &Told) -> Option<String> {
     let (impact, uncertainty) = (bout.predicted_from_impact?, bout.predicted_uncertainty?);
     let (predicted, left) = (bout.predicted_left?, bout.true_left?);
     let off = predicted - left;

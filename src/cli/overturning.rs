@@ -3,14 +3,14 @@ use std::path::PathBuf;
 use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
-        certainty::certified,
-        criterion::{Crossing, Crossings, Fate, crossings},
-        response::{OnMotion, Termination},
+        certainty::Changes,
+        criterion::{Crossing, Crossings, crossings},
+        response::Termination,
     },
     panel,
 };
 use clap::{Args, ValueEnum};
-use contract::{Invalid, Oracle};
+use contract::Invalid;
 use serde::Serialize;
 
 use super::{
@@ -64,28 +64,6 @@ struct Answer {
     to: f64,
 }
 
-/// Where something begins to happen, and ceases to.
-#[derive(Serialize)]
-struct Changes {
-    /// The smallest scale from which it happens is between these; `null` where it does not begin in the range.
-    lower: Option<f64>,
-    upper: Option<f64>,
-    /// Whether it is proven that it happens at `upper` and does not at `lower`.
-    certified: bool,
-    /// Whether it happens at the smallest scale of the range already: then it begins below.
-    happens_at_from: bool,
-    /// Every change in the range.
-    changes: Vec<Row>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    lower: f64,
-    upper: f64,
-    /// Whether it happens above, or ceases to.
-    happens_above: bool,
-}
-
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     let Arguments { from, to, by: By::Scale, .. } = *arguments;
     let scene = read_scene_as(&arguments.scene, arguments.model.as_deref())?;
@@ -109,27 +87,6 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<Status> {
     Ok(Status::Well)
 }
 
-impl Changes {
-    fn of(
-        happens_at_from: bool,
-        crossings: Vec<Crossing>,
-        judged: Option<(&dyn Oracle, &OnMotion)>,
-        happens: fn(Fate) -> bool,
-    ) -> Self {
-        let found = crossings.first().filter(|first| first.happens_above);
-        let proven = judged.zip(found).and_then(|((judge, request), first)| certified(judge, request, first, happens));
-        let first = proven.as_ref().or(found);
-        let row = |Crossing { lower, upper, happens_above }| Row { lower, upper, happens_above };
-        Self {
-            lower: first.map(|first| first.lower),
-            upper: first.map(|first| first.upper),
-            certified: proven.is_some(),
-            happens_at_from,
-            changes: crossings.into_iter().map(row).collect(),
-        }
-    }
-}
-
 fn text(answer: &Answer) -> String {
     let Answer { title, overturning, incomplete, from, to } = answer;
     let mut lines = vec![if title.is_empty() { "(no title)".to_owned() } else { title.clone() }];
@@ -140,7 +97,7 @@ fn text(answer: &Answer) -> String {
         let Changes { happens_at_from, changes, .. } = of;
         let said = |is: bool| if is { happens } else { does_not };
         lines.push(format!("  at {from} times the motion {}", said(*happens_at_from)));
-        for (place, Row { upper, happens_above, .. }) in changes.iter().enumerate() {
+        for (place, Crossing { upper, happens_above, .. }) in changes.iter().enumerate() {
             lines.push(format!("  from {upper} times on {}", said(*happens_above)));
             if let (0, true, Some(below), Some(above)) = (place, of.certified, of.lower, of.upper) {
                 lines.push(format!("    proven: not at {below} times, and at {above} times"));

@@ -1,7 +1,7 @@
 //! `plan` for a scene that is no case: the responses by both models, compared.
 
 use chattercheck::{
-    motion::{response::Bout, scene::Scene},
+    motion::scene::Scene,
     panel,
     plan::{Compared, Followed, MotionPlan, Parted},
 };
@@ -96,11 +96,7 @@ pub(super) fn run(scene: &Scene, tolerance: f64, format: Format) -> anyhow::Resu
 fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<Document> {
     let request = scene.on_motion(None, chattercheck::motion::response::Termination::Exact)?;
     let asked_linear = scene.ask.model == Model::Linear;
-    let chosen = if asked_linear { Model::Linear } else { plan.needs(tolerance) };
-    let uncertainty = |followed: &Followed| {
-        let of = |bout: &Bout| bout.uncertainty() / (bout.duration - bout.start);
-        followed.response.bouts.iter().map(of).fold(0.0, f64::max)
-    };
+    let chosen = plan.chosen(scene.ask.model, tolerance);
     let why = |model: Model| match (model, chosen) {
         (Model::Linear, Model::Linear) if asked_linear => "the linear model is asked for".to_owned(),
         (Model::Linear, Model::Linear) => "accurate enough".to_owned(),
@@ -117,10 +113,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
         method: followed.oracle.clone(),
         model: name(model),
         flights: Some(followed.flights),
-        errors: Some(Errors {
-            model: if model == Model::Linear { plan.error() } else { Some(0.0) },
-            conditioning: uncertainty(followed),
-        }),
+        errors: Some(Errors { model: plan.error_of(model), conditioning: followed.uncertainty() }),
         verdict: match model {
             _ if model == chosen => "chosen",
             Model::Linear => "refused",
@@ -132,12 +125,6 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
     let asked = [row(Model::Linear, &plan.linear), row(Model::Nonlinear, &plan.nonlinear)];
     let body = Body::new(scene.block.restitution, Some(scene.block.slenderness))?;
     let others = others(&asked, &body, &request.motion);
-    let meets = match chosen {
-        // Of the equation that is asked for it is no error that it is not the block's own.
-        Model::Linear if asked_linear => uncertainty(&plan.linear) <= tolerance,
-        Model::Linear => plan.needs(tolerance) == Model::Linear,
-        Model::Nonlinear => uncertainty(&plan.nonlinear) <= tolerance,
-    };
     Ok(Document {
         title: scene.title.clone(),
         ground: scene.ground_name(),
@@ -146,7 +133,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
         model: name(scene.ask.model),
         tolerance,
         frequency_parameter: scene.block.frequency_parameter(),
-        chosen: if chosen == Model::Linear { &plan.linear } else { &plan.nonlinear }.oracle.clone(),
+        chosen: plan.by(chosen).oracle.clone(),
         candidates: asked.into_iter().chain(others).collect(),
         bouts: plan.bouts.iter().map(bout_row).collect(),
         parted: plan.parted.map(|parted| match parted {
@@ -159,7 +146,7 @@ fn document(scene: &Scene, plan: &MotionPlan, tolerance: f64) -> anyhow::Result<
             .zip(plan.nonlinear.peak)
             .zip(plan.rotation)
             .map(|((one, other), error)| Rotation { linear: one.rotation, nonlinear: other.rotation, error }),
-        meets_tolerance: meets,
+        meets_tolerance: plan.meets(scene.ask.model, tolerance),
     })
 }
 

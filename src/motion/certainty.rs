@@ -3,12 +3,49 @@
 use std::sync::Arc;
 
 use contract::{BoutEnd, Followed, Oracle};
+use serde::Serialize;
 
 use super::{
     criterion::{Crossing, Fate},
     response::OnMotion,
 };
 use crate::measure::ground;
+
+/// Where between two scales of a motion something begins to happen, and ceases to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Changes {
+    /// The smallest scale from which on it happens is between these: neighbouring doubles, or the nearest at which it is proven; `None` where it does not begin between the two.
+    pub lower: Option<f64>,
+    /// See `lower`.
+    pub upper: Option<f64>,
+    /// Whether it is proven that it happens at `upper` and does not at `lower`.
+    pub certified: bool,
+    /// Whether it happens at the smaller one of the two already.
+    pub happens_at_from: bool,
+    /// Every change, in order.
+    pub changes: Vec<Crossing>,
+}
+
+impl Changes {
+    /// The changes that were found, the first of them as the judge proves it, if there is one and it can.
+    pub fn of(
+        happens_at_from: bool,
+        changes: Vec<Crossing>,
+        judged: Option<(&dyn Oracle, &OnMotion)>,
+        happens: fn(Fate) -> bool,
+    ) -> Self {
+        let found = changes.first().filter(|first| first.happens_above);
+        let proven = judged.zip(found).and_then(|((judge, request), first)| certified(judge, request, first, happens));
+        let first = proven.as_ref().or(found);
+        Self {
+            lower: first.map(|first| first.lower),
+            upper: first.map(|first| first.upper),
+            certified: proven.is_some(),
+            happens_at_from,
+            changes,
+        }
+    }
+}
 
 /// How far beside the change that was found a proof is tried, relative, one after the other: next to it all methods need ever more digits.
 const BESIDE: [f64; 7] = [0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9];

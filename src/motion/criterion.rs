@@ -5,6 +5,11 @@
 use std::sync::Arc;
 
 use contract::{Arrival, Decline, Departure, Estimate, Invalid, Motion, Oracle};
+use serde::Serialize;
+
+mod told;
+
+pub use told::Told;
 
 use super::response::{Bout, BoutEnd, OnMotion, Response};
 use crate::measure::ground::{self, Push};
@@ -114,7 +119,7 @@ pub struct Fate {
 }
 
 /// A scale of the motion between two neighbours of which it happens at one and not at the other.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Crossing {
     /// The smaller one.
     pub lower: f64,

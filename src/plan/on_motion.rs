@@ -96,7 +96,40 @@ impl MotionPlan {
     }
 }
 
+impl MotionPlan {
+    /// The model whose answer it is: the linear one where that is asked for, and else the one that is needed.
+    pub fn chosen(&self, asked: Model, tolerance: f64) -> Model {
+        if asked == Model::Linear { asked } else { self.needs(tolerance) }
+    }
+
+    /// The response by a model.
+    pub fn by(&self, model: Model) -> &Followed {
+        if model == Model::Linear { &self.linear } else { &self.nonlinear }
+    }
+
+    /// The error of a model, relative; `None` where the responses part. Of the block as it is it is 0.
+    pub fn error_of(&self, model: Model) -> Option<f64> {
+        if model == Model::Linear { self.error() } else { Some(0.0) }
+    }
+
+    /// Whether the answer of the chosen model is as accurate as asked.
+    pub fn meets(&self, asked: Model, tolerance: f64) -> bool {
+        match (asked, self.needs(tolerance)) {
+            // Of the equation that is asked for it is no error that it is not the block's own.
+            (Model::Linear, _) => self.linear.uncertainty() <= tolerance,
+            (Model::Nonlinear, Model::Linear) => true,
+            (Model::Nonlinear, Model::Nonlinear) => self.nonlinear.uncertainty() <= tolerance,
+        }
+    }
+}
+
 impl Followed {
+    /// The largest of what is uncertain of its ends, relative to how long each time of rocking lasts.
+    pub fn uncertainty(&self) -> f64 {
+        let of = |bout: &Bout| bout.uncertainty() / (bout.duration - bout.start);
+        self.response.bouts.iter().map(of).fold(0.0, f64::max)
+    }
+
     fn new(scene: &Scene, model: Model) -> Result<Self, AnswerError> {
         let mut scene = scene.clone();
         scene.ask.model = model;

@@ -6,7 +6,7 @@ use super::{Axis, Column, Findings, SweepError, Value};
 use crate::{
     cases::case_file::CaseFields,
     measure::sharpest,
-    motion::response::{Request, Response},
+    motion::response::{Asked, Request},
     panel,
 };
 
@@ -123,7 +123,7 @@ fn largest_rotation(oracle: &dyn Oracle, case: &Case) -> Result<(Option<Estimate
     let case = case.with_horizon(Horizon::HalfPeriod).map_err(refused)?;
     let half_period = std::f64::consts::PI / case.omega();
     let request = Request::new(case, None, half_period).map_err(refused)?;
-    let (response, rotation) = Response::with_rotation(oracle, &request)?;
+    let (response, rotation) = Asked::Sinusoid(request).with_rotation(oracle)?;
     let Some(bout) = response.bouts.first() else { return Ok((None, "never-rocks")) };
     let ending = match bout.ending() {
         "complete" => "at-rest",

@@ -8,7 +8,7 @@ use toml::{Table, Value as Toml};
 use super::{Axis, Findings, SweepError, Value};
 use crate::{
     motion::{
-        response::{Bout, BoutEnd, Peak, Response, Termination},
+        response::{Asked, Bout, BoutEnd, Peak, Response, Termination},
         scene::{End, Ground, Scene},
     },
     panel,
@@ -111,15 +111,12 @@ impl Scenes {
 
 /// The response to a scene, with the largest rotation; `None` if it is declined.
 fn response(scene: &Scene) -> Option<(Response, Option<(Peak, f64)>)> {
-    if scene.sine().is_ok() {
-        let request = scene.response(None, Termination::Exact).ok()?;
-        let oracle: Box<dyn Oracle> = panel::stepper_of(scene.ask.model);
-        Response::with_rotation(oracle.as_ref(), &request).ok()
-    } else {
-        let request = scene.on_motion(None, Termination::Exact).ok()?;
-        let oracle = panel::stepper_on(&request.body, &request.motion);
-        Response::with_rotation_on_motion(oracle.as_ref(), &request).ok()
-    }
+    let asked = scene.asked(None, Termination::Exact).ok()?;
+    let oracle: Box<dyn Oracle> = match &asked {
+        Asked::Sinusoid(_) => panel::stepper_of(scene.ask.model),
+        Asked::Motion(request) => panel::stepper_on(&request.body, &request.motion),
+    };
+    asked.with_rotation(oracle.as_ref()).ok()
 }
 
 /// The fields that say a quantity in a unit, alone in their table.

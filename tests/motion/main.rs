@@ -12,6 +12,7 @@ mod overturning;
 mod plan;
 mod plan_on_motion;
 mod proven;
+mod refused;
 mod response;
 mod rounding;
 mod rows;

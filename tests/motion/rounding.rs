@@ -2,7 +2,7 @@
 
 use chattercheck::{
     cases::generate,
-    motion::response::{BoutEnd, OnMotion, Response},
+    motion::response::{Asked, BoutEnd, OnMotion, Response},
     panel::{self, Settings},
 };
 use contract::{Body, Followed, Model, Oracle};
@@ -61,4 +61,32 @@ fn no_rest_is_further_off_than_is_said() {
         println!("{} {model:?}: {share:.3} of what is said, {compared} rests", oracle.name());
         assert!(share <= 1.0 && compared > count / 2, "{} {model:?}: {share} of {compared}", oracle.name());
     }
+}
+
+/// Two methods agree on the largest rotation to within what they say of it.
+#[test]
+fn no_largest_rotation_is_further_off_than_is_said() {
+    let methods =
+        ["closed-form", "taylor", "ode"].map(|name| panel::one(name, &Settings::default(), "linear").unwrap());
+    let (mut share, mut compared) = (0.0_f64, 0);
+    for asked in generate::motions(12, pick("motions for rotations", 150, 2000)) {
+        let body = Body::new(asked.body.eta(), None).unwrap();
+        let motion = asked.motion.as_ref().clone();
+        let request = OnMotion { body, start: asked.start, until: asked.until, ..closing::request(motion, body.eta()) };
+        let asked = Asked::Motion(request);
+        let peaks: Vec<(f64, f64)> = methods
+            .iter()
+            .filter_map(|oracle| asked.with_rotation(oracle.as_ref()).ok()?.1)
+            .map(|(peak, uncertainty)| (peak.rotation.abs(), uncertainty))
+            .filter(|(_, uncertainty)| uncertainty.is_finite())
+            .collect();
+        for (k, one) in peaks.iter().enumerate() {
+            for other in &peaks[..k] {
+                share = share.max((one.0 - other.0).abs() / (one.1 + other.1));
+                compared += 1;
+            }
+        }
+    }
+    println!("{share:.3} of what is said, {compared} pairs");
+    assert!(share <= 1.0 && compared > 100, "{share} of {compared}");
 }

@@ -47,39 +47,35 @@ pub struct Asked<'a> {
     pub patience: usize,
 }
 
-/// What is known of a response.
-pub enum Known<F> {
-    /// All of its bouts.
-    Whole(Vec<Bout<F>>),
-    /// The bouts before the ground touches the threshold so closely that it is not clear whether there is another one.
-    Until(Vec<Bout<F>>),
-}
-
 /// Later than any response ends.
 const FOREVER: f64 = 1e9;
 /// How many impacts of a bout are followed.
 const MOST_IMPACTS: usize = 50_000;
 
-/// Follows the block.
-pub fn follow<F: Directed>(asked: &Asked<'_>) -> Known<F> {
+/// Follows the block; `None` where it is not clear whether it ever rocks. Where it is not clear whether it rocks again, the last bout has no clear end: whoever reads a
+/// last rest takes it that the block rests from there on.
+pub fn follow<F: Directed>(asked: &Asked<'_>) -> Option<Vec<Bout<F>>> {
     let ground = Shaking::<F>::new(asked.motion);
     let alpha = asked.body.alpha();
     let motion = Motion::new(ground.amplitude(), ground.rate, alpha).patient(asked.patience);
     let run = Run { asked, ground, motion };
-    let mut bouts = Vec::new();
+    let mut bouts: Vec<Bout<F>> = Vec::new();
     let mut departure = run.first();
     loop {
         let (moment, side, from) = match departure {
             Departure::At(moment, side, from) => (moment, side, from),
-            Departure::Never => return Known::Whole(bouts),
-            Departure::Unclear => return Known::Until(bouts),
+            Departure::Never => return Some(bouts),
+            Departure::Unclear => {
+                bouts.last_mut()?.end = BoutEnd::Unclear;
+                return Some(bouts);
+            }
         };
         let (bout, last) = run.bout(moment, side, from);
         let rests = matches!(bout.end, BoutEnd::Rest(_));
         bouts.push(bout);
         match last.filter(|_| rests) {
             Some(last) => departure = run.next(&last),
-            None => return Known::Whole(bouts),
+            None => return Some(bouts),
         }
     }
 }

@@ -4,7 +4,7 @@ use contract::{Body, Decline, Followed, Model, Motion};
 
 use crate::{
     bounds::Bounds,
-    bouts::{self, Asked, Bout, BoutEnd, Known},
+    bouts::{self, Asked, Bout, BoutEnd},
     directed::Directed,
     enclosed_impact::{EnclosedImpact, enclosed_impact, estimate},
     interval::Interval,
@@ -77,9 +77,8 @@ impl Attempt for FollowingBouts<'_> {
     fn with<F: Directed>(&self) -> (Self::Answer, bool) {
         let (followed, patience) = (self.asked, self.patience);
         let asked = Asked { body: &self.body, motion: self.motion, followed, width: 0.5 * self.width, patience };
-        let (mut bouts, is_whole) = match bouts::follow::<F>(&asked) {
-            Known::Whole(bouts) => (bouts, true),
-            Known::Until(bouts) => (bouts, false),
+        let Some(bouts) = bouts::follow::<F>(&asked) else {
+            return (Err(Decline::NotConvergent { why: TOUCHES.to_owned() }), false);
         };
         let narrow = |interval: &Interval<F>| interval.relative_width() <= self.width;
         let good = |bout: &Bout<F>| {
@@ -93,14 +92,7 @@ impl Attempt for FollowingBouts<'_> {
                     BoutEnd::Overturned | BoutEnd::Aloft | BoutEnd::Exhausted => true,
                 }
         };
-        let good = is_whole && bouts.iter().all(good);
-        if !is_whole {
-            // Whoever reads a last rest takes it that the block rests from there on.
-            match bouts.last_mut() {
-                Some(last) => last.end = BoutEnd::Unclear,
-                None => return (Err(Decline::NotConvergent { why: TOUCHES.to_owned() }), false),
-            }
-        }
+        let good = bouts.iter().all(good);
         let enclosed: Option<Vec<_>> = bouts.into_iter().map(enclosed_bout).collect();
         let answer = enclosed.ok_or_else(|| Decline::NotConvergent { why: "a bound is not a number".to_owned() });
         (answer, good)

@@ -1,16 +1,13 @@
 //! What happens, as JSON.
 
 use chattercheck::motion::{
-    response::{Bout, Peak, Response},
+    response::{Asked, Bout, Peak, Response},
     scene::{Account, Scene},
 };
 use contract::Model;
 use serde::Serialize;
 
-use super::{
-    super::{case_facts::CaseFacts, motion_facts::MotionFacts},
-    asked::Asked,
-};
+use super::super::{case_facts::CaseFacts, motion_facts::MotionFacts};
 
 /// Times are `τ` since the start of the motion.
 #[derive(Serialize)]

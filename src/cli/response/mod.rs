@@ -1,4 +1,3 @@
-mod asked;
 mod document;
 mod drawings;
 mod proven;
@@ -13,7 +12,7 @@ use anyhow::{anyhow, ensure};
 use chattercheck::{
     motion::{
         closed::Closed,
-        response::{BoutEnd, Request, Sample, State, Termination, Window},
+        response::{Asked, BoutEnd, Request, Sample, State, Termination, Window},
         scene::{self, Scene},
     },
     panel,
@@ -34,7 +33,6 @@ use super::{
     numbers::{count, number},
     output::{json, note, print, print_csv, say},
 };
-use asked::Asked;
 use document::document;
 use drawings::{Drawings, Files};
 

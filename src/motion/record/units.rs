@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use contract::Invalid;
+
 use super::{
     RecordError,
     error::shown,
@@ -20,6 +22,25 @@ pub enum Units {
     CentimetresPerSecondSquared,
     /// The threshold of the block: no file names it.
     Threshold,
+}
+
+impl Units {
+    /// The units of this name.
+    ///
+    /// # Errors
+    /// When it is none.
+    pub fn named(name: &str) -> Result<Self, Invalid> {
+        match name {
+            "g" => Ok(Self::G),
+            "m/s2" => Ok(Self::MetresPerSecondSquared),
+            "cm/s2" => Ok(Self::CentimetresPerSecondSquared),
+            "threshold" => Ok(Self::Threshold),
+            other => {
+                let shown: String = other.chars().filter(|c| !c.is_control()).take(40).collect();
+                Err(Invalid::new("units", format!("{shown:?}"), "\"g\", \"m/s2\", \"cm/s2\" or \"threshold\""))
+            }
+        }
+    }
 }
 
 impl fmt::Display for Units {

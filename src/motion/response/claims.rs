@@ -8,7 +8,7 @@ use super::{Bout, Response};
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// What multiple of the change is claimed. The motion is moved as a whole, and rounding moves each sample and each flight by itself: against the proofs of the first
 /// impacts on records and pulses, errors came to 25 times the change.
-const MARGIN: f64 = 64.0;
+pub(super) const MARGIN: f64 = 64.0;
 
 impl Bout {
     /// The claims for its impacts, from the response that is moved: the time absolute, the interval and the velocity relative. Infinite for impacts that the

@@ -4,6 +4,7 @@
 //! The response is made of flights, which a [`FlightSolver`](contract::FlightSolver) follows one at a time: `closed-form` for Eq. 4, `taylor` for
 //! Eq. 2. Chattering is closed as an infinite sum unless one of the schemes of Section 5.2 is asked for.
 
+mod asked;
 mod claims;
 mod fall;
 mod lobes;
@@ -18,9 +19,10 @@ mod termination;
 
 use std::sync::Arc;
 
-use contract::{Arrival, Body, Case, Decline, Invalid, Loss, Model, Motion, Oracle, Slenderness};
+use contract::{Arrival, Body, Case, Decline, FlightSolver, Invalid, Loss, Motion, Oracle, Slenderness};
 
 pub use super::walk::Flight;
+pub use asked::Asked;
 pub use lobes::{Lobe, Lobes};
 pub use peak::Peak;
 use rounding::Way;
@@ -186,6 +188,14 @@ impl Bout {
         }
     }
 
+    /// Its end may be off by so much more.
+    fn widen(&mut self, by: f64) {
+        self.conditioning += by;
+        if let BoutEnd::Complete { uncertainty } = &mut self.outcome {
+            *uncertainty += by;
+        }
+    }
+
     /// Whether so little is known of its end that its time is not to be relied on.
     pub fn is_unsure(&self) -> bool {
         let uncertainty = self.uncertainty();
@@ -247,14 +257,18 @@ impl Response {
             return Ok((response.clone(), response));
         }
         let response = run::follow(request, oracle.flights(&request.case)?.as_ref());
-        // What rounding does in all flights before a rest is what moving the parameters by about a rounding does; and what a tolerance does is what a coarser one
-        // does, and less.
+        let (moved, _) = Self::moved(oracle, request)?;
+        Ok((response.with_conditioning(&moved), moved))
+    }
+
+    /// What rounding does in all flights before a rest is what moving the parameters by about a rounding does; and what a tolerance does is what a coarser one does, and
+    /// less: the response that is moved so, and its flights.
+    fn moved(oracle: &dyn Oracle, request: &Request) -> Result<(Self, Box<dyn FlightSolver>), Decline> {
         let case = nudged(&request.case, request.rounding)
             .map_err(|_| Decline::Unsupported { what: "cases at the border of what is allowed" })?;
         let coarser = oracle.coarser();
-        let other = coarser.as_deref().unwrap_or(oracle).flights(&case)?;
-        let other = run::follow(&Request { case, ..*request }, other.as_ref());
-        Ok((response.with_conditioning(&other), other))
+        let flights = coarser.as_deref().unwrap_or(oracle).flights(&case)?;
+        Ok((run::follow(&Request { case, ..*request }, flights.as_ref()), flights))
     }
 
     /// The response to another motion than a sinusoid, by the flights of `oracle`.
@@ -271,19 +285,20 @@ impl Response {
     /// As [`Response::on_motion`].
     pub fn and_moved_on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<(Self, Self), Decline> {
         let response = Self::once_on_motion(oracle, request)?;
+        let (moved, _) = Self::moved_on_motion(oracle, request)?;
+        Ok((response.with_conditioning(&moved).with_rounding(Way::of(oracle, request)), moved))
+    }
+
+    /// The response to a motion that is stronger by some roundings, or of a coarser solver, and its flights. It is the strength alone that is moved: what two changes do may
+    /// cancel.
+    fn moved_on_motion(oracle: &dyn Oracle, request: &OnMotion) -> Result<(Self, Box<dyn FlightSolver>), Decline> {
         let border = |_| Decline::Unsupported { what: "motions at the border of what is allowed" };
         // A record has been divided by the threshold: some roundings of each sample.
         let motion = request.motion.scaled(1.0 + 4.0 * f64::EPSILON + request.rounding).map_err(border)?;
-        let other = OnMotion { motion: Arc::new(motion), ..request.clone() };
+        let request = OnMotion { motion: Arc::new(motion), ..request.clone() };
         let coarser = oracle.coarser();
-        let follower = coarser.as_deref().unwrap_or(oracle);
-        let other = run::follow_moved(&other, follower.flights_on(&other.body, &other.motion)?.as_ref());
-        let way = Way {
-            eta: request.body.eta(),
-            is_integrated: coarser.is_some(),
-            is_linear: oracle.model() == Model::Linear,
-        };
-        Ok((response.with_conditioning(&other).with_rounding(way), other))
+        let flights = coarser.as_deref().unwrap_or(oracle).flights_on(&request.body, &request.motion)?;
+        Ok((run::follow_moved(&request, flights.as_ref()), flights))
     }
 
     /// The same, of which it is not said what rounding does to it.
@@ -314,10 +329,7 @@ impl Response {
             }
             parted |= same.is_none();
             let moved = same.map_or(f64::INFINITY, |other| MARGIN * (bout.duration - other.duration).abs() + rounding);
-            bout.conditioning = if parted { f64::INFINITY } else { moved };
-            if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
-                *uncertainty += bout.conditioning;
-            }
+            bout.widen(if parted { f64::INFINITY } else { moved });
         }
         self
     }
@@ -325,12 +337,8 @@ impl Response {
     /// Adds what rounding in each flight does to when the block rests.
     fn with_rounding(mut self, way: Way) -> Self {
         for bout in &mut self.bouts {
-            if let BoutEnd::Complete { .. } = bout.outcome {
-                let rounding = rounding::of_rest(bout, &self.ground, way);
-                bout.conditioning += rounding;
-                if let BoutEnd::Complete { uncertainty } = &mut bout.outcome {
-                    *uncertainty += rounding;
-                }
+            if matches!(bout.outcome, BoutEnd::Complete { .. }) {
+                bout.widen(rounding::of_rest(bout, &self.ground, way));
             }
         }
         self

@@ -11,9 +11,9 @@
 //! At the last impact, with the speed `v` after it and the pulls `C` ahead and `D` behind, the block rests at `t + 2 (1/C + e/D)/(1 - e²) v`. Of Eq. 2 this is an estimate,
 //! as good as its linearisation.
 
-use contract::{Arrival, Ground, Motion, Stretch};
+use contract::{Arrival, Ground, Model, Motion, Oracle, Stretch};
 
-use super::{Bout, Flight, Shaken};
+use super::{Bout, Flight, OnMotion, Shaken};
 
 /// Roundings of the length of a flight, of the speed at its end and of the ground acceleration.
 const INTERVAL: f64 = 8.0;
@@ -27,11 +27,18 @@ const INTEGRATED: f64 = 100.0;
 #[derive(Clone, Copy)]
 pub(super) struct Way {
     /// The coefficient of restitution.
-    pub eta: f64,
+    eta: f64,
     /// Whether the flights are integrated to a tolerance.
-    pub is_integrated: bool,
+    is_integrated: bool,
     /// Whether they are those of the linear equation.
-    pub is_linear: bool,
+    is_linear: bool,
+}
+
+impl Way {
+    pub(super) fn of(oracle: &dyn Oracle, request: &OnMotion) -> Self {
+        let (is_integrated, is_linear) = (oracle.coarser().is_some(), oracle.model() == Model::Linear);
+        Self { eta: request.body.eta(), is_integrated, is_linear }
+    }
 }
 
 /// What a bout ends with, by what starts or ends a flight.

@@ -7,7 +7,7 @@ use contract::{Body, Case, Invalid, Model, Motion, Normalisation, Sinusoid, Slen
 use super::{Ground, ROUNDING, Scene, Shaking, Sine};
 use crate::{
     measure::ground::fastest,
-    motion::response::{OnMotion, Request, Termination},
+    motion::response::{Asked, OnMotion, Request, Termination},
 };
 
 /// How many cycles of a motion without end are followed unless told otherwise.
@@ -34,6 +34,17 @@ impl Scene {
         let exact = case.epsilon() == 0.0 || self.block.over_own_threshold(sine.amplitude, self.ask.model).1 == 0.0;
         let rounding = if exact { 0.0 } else { ROUNDING * case.amplitude() / case.epsilon().abs() };
         Ok(Request { rounding, phase: sine.phase, lies_at, termination: termination.check()?, ..request })
+    }
+
+    /// What a scene asks, by a sinusoid under a block at rest or by another motion.
+    ///
+    /// # Errors
+    /// As [`Scene::response`] and [`Scene::on_motion`].
+    pub fn asked(&self, until: Option<f64>, termination: Termination) -> Result<Asked, Invalid> {
+        Ok(match self.sine() {
+            Ok(_) => Asked::Sinusoid(self.response(until, termination)?),
+            Err(_) => Asked::Motion(self.on_motion(until, termination)?),
+        })
     }
 
     /// The request for the response to a scene of any motion of the ground, and of a block at rest or not; a sinusoid is a motion too. One without end is followed

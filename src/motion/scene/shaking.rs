@@ -310,17 +310,7 @@ impl Reader<'_> {
     }
 
     fn units(&self, units: &Spanned<String>) -> Result<Units, SceneError> {
-        match units.get_ref().as_str() {
-            "g" => Ok(Units::G),
-            "m/s2" => Ok(Units::MetresPerSecondSquared),
-            "cm/s2" => Ok(Units::CentimetresPerSecondSquared),
-            "threshold" => Ok(Units::Threshold),
-            other => {
-                let shown: String = other.chars().filter(|c| !c.is_control()).take(40).collect();
-                let allowed = "\"g\", \"m/s2\", \"cm/s2\" or \"threshold\"";
-                Err(self.text.error(&units.span(), Invalid::new("units", format!("{shown:?}"), allowed)))
-            }
-        }
+        Units::named(units.get_ref()).map_err(|invalid| self.text.error(&units.span(), invalid))
     }
 
     fn column(&self, column: &Spanned<i64>) -> Result<usize, SceneError> {

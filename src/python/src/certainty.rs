@@ -2,9 +2,9 @@
 
 use chattercheck::{
     motion::{
-        certainty::certified,
-        criterion::{Criterion, Crossing, Crossings, Fate, criteria, critical_scale, crossings},
-        response::{Bout, OnMotion, Response, Termination},
+        certainty::Changes,
+        criterion::{Crossings, criteria, critical_scale, crossings},
+        response::{Asked, OnMotion, Response, Termination},
         scene,
     },
     panel,
@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 use crate::{
     error::value_error,
-    scene::{Asked, Scene},
+    scene::{Scene, oracle_of},
     wait::{Stop, Stoppable, interruptible},
 };
 
@@ -27,7 +27,7 @@ fn asked(
     stop: &Stop,
 ) -> Result<(OnMotion, Stoppable), String> {
     let request = scene.on_motion(until, Termination::Exact).map_err(|invalid| invalid.to_string())?;
-    let by = Asked::Motion(request.clone()).oracle(scene.ask.model, oracle, stop);
+    let by = oracle_of(&Asked::Motion(request.clone()), scene.ask.model, oracle, stop);
     Ok((request, by.map_err(|refused| refused.to_string())?))
 }
 
@@ -56,32 +56,13 @@ pub fn criterion(
             let fastest = Stoppable { oracle: panel::stepper_on(&request.body, &request.motion), stop };
             let critical = critical_scale(&fastest, &request, to_scale);
             let critical = critical.map_err(|why| format!("{}: {why}", fastest.name()))?;
-            let bouts: Vec<Value> = response.bouts.iter().zip(&found).map(|(bout, found)| row(bout, found)).collect();
+            let bouts: Vec<_> = response.bouts.iter().zip(&found).map(|(bout, found)| found.told(bout)).collect();
             let (lower, upper) = (critical.map(|found| found.lower), critical.map(|found| found.upper));
             let incomplete = json!({ "lower": lower, "upper": upper, "searched_to": to_scale, "certified": false });
             Ok(json!({ "bouts": bouts, "incomplete": incomplete, "oracle": oracle.name() }))
         }
     };
     Ok(interruptible(py, &stop, work)?.map_err(value_error)?.to_string())
-}
-
-fn row(bout: &Bout, Criterion { certain, gap_end, missed_a_gap, predicted }: &Criterion) -> Value {
-    let between = certain.and_then(|certain| certain.between);
-    json!({
-        "start": bout.begin(),
-        "end": bout.end(),
-        "ending": bout.ending(),
-        "certain_from_impact": certain.map(|certain| certain.impact),
-        "certain_at": certain.map(|certain| certain.time),
-        "rest_lower": between.map(|(lower, _)| lower),
-        "rest_upper": between.map(|(_, upper)| upper),
-        "predicted_from_impact": predicted.map(|predicted| predicted.impact),
-        "predicted_at": predicted.map(|predicted| predicted.time),
-        "predicted_rest": predicted.map(|predicted| predicted.rest.value),
-        "predicted_uncertainty": predicted.map(|predicted| predicted.rest.uncertainty),
-        "gap_end": gap_end,
-        "missed_a_gap": missed_a_gap,
-    })
 }
 
 /// The scales of the motion of a scene at which the block overturns, and at which some chattering turns incomplete. JSON.
@@ -105,31 +86,11 @@ pub fn overturning(py: Python<'_>, scene: &Scene, scales: (f64, f64), oracle: Op
             let judge = panel::judge_of(scene.ask.model).map(|oracle| Stoppable { oracle, stop });
             let judged = judge.as_ref().map(|judge| (judge as &dyn Oracle, &request));
             Ok(json!({
-                "overturning": changes(at_first.overturned, &overturned, judged, |fate| fate.overturned),
-                "incomplete": changes(at_first.incomplete, &incomplete, judged, |fate| fate.incomplete),
+                "overturning": Changes::of(at_first.overturned, overturned, judged, |fate| fate.overturned),
+                "incomplete": Changes::of(at_first.incomplete, incomplete, judged, |fate| fate.incomplete),
                 "oracle": oracle.name(),
             }))
         }
     };
     Ok(interruptible(py, &stop, work)?.map_err(value_error)?.to_string())
-}
-
-fn changes(
-    happens_at_from: bool,
-    crossings: &[Crossing],
-    judged: Option<(&dyn Oracle, &OnMotion)>,
-    happens: fn(Fate) -> bool,
-) -> Value {
-    let found = crossings.first().filter(|first| first.happens_above);
-    let proven = judged.zip(found).and_then(|((judge, request), first)| certified(judge, request, first, happens));
-    let first = proven.as_ref().or(found);
-    let rows: Vec<(f64, f64, bool)> =
-        crossings.iter().map(|found| (found.lower, found.upper, found.happens_above)).collect();
-    json!({
-        "lower": first.map(|first| first.lower),
-        "upper": first.map(|first| first.upper),
-        "certified": proven.is_some(),
-        "happens_at_from": happens_at_from,
-        "changes": rows,
-    })
 }

@@ -64,29 +64,24 @@ fn of_case(scene: &scene::Scene, tolerance: f64) -> Result<Value, String> {
 /// A whole response by both models: what linearisation costs.
 fn of_motion(scene: &scene::Scene, tolerance: f64) -> Result<Value, String> {
     let plan = MotionPlan::new(scene).map_err(|error| error.to_string())?;
-    let asked_linear = scene.ask.model == Model::Linear;
-    let needed = plan.needs(tolerance);
-    let chosen = if asked_linear { Model::Linear } else { needed };
-    let candidate = |model: Model, of: &chattercheck::plan::Followed| {
+    let candidate = |model: Model| {
+        let (by, of_model) = (plan.by(model), plan.error_of(model));
         json!({
-            "method": of.oracle,
-            "error": if model == Model::Linear { plan.error() } else { Some(0.0) },
-            "model_error": if model == Model::Linear { plan.error() } else { Some(0.0) },
+            "method": by.oracle,
+            "error": of_model.map(|error| error + by.uncertainty()),
+            "model_error": of_model,
             "cost_microseconds": null,
             "refused": null,
         })
     };
-    let by = if chosen == Model::Linear { &plan.linear } else { &plan.nonlinear };
-    let off =
-        by.response.bouts.iter().map(|bout| bout.uncertainty() / (bout.duration - bout.start)).fold(0.0, f64::max);
-    let meets = if chosen == Model::Linear { needed == Model::Linear } else { off <= tolerance };
+    let asked = scene.ask.model;
     Ok(json!({
-        "chosen": by.oracle,
-        "candidates": [candidate(Model::Linear, &plan.linear), candidate(Model::Nonlinear, &plan.nonlinear)],
+        "chosen": plan.by(plan.chosen(asked, tolerance)).oracle,
+        "candidates": [candidate(Model::Linear), candidate(Model::Nonlinear)],
         "complete": null,
         "tau_ch": null,
         "seconds": null,
         "uncertainty": null,
-        "meets_tolerance": meets,
+        "meets_tolerance": plan.meets(asked, tolerance),
     }))
 }

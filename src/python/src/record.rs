@@ -9,23 +9,6 @@ use pyo3::{exceptions::PyFileNotFoundError, prelude::*, types::PyDict};
 
 use crate::error::value_error;
 
-/// The units of this name.
-///
-/// # Errors
-/// When there are none.
-pub fn units_named(name: &str) -> Result<Units, Invalid> {
-    match name {
-        "g" => Ok(Units::G),
-        "m/s2" => Ok(Units::MetresPerSecondSquared),
-        "cm/s2" => Ok(Units::CentimetresPerSecondSquared),
-        "threshold" => Ok(Units::Threshold),
-        other => {
-            let shown: String = other.chars().filter(|c| !c.is_control()).take(40).collect();
-            Err(Invalid::new("units", format!("{shown:?}"), "\"g\", \"m/s2\", \"cm/s2\" or \"threshold\""))
-        }
-    }
-}
-
 /// Reads a file: the samples, the step in seconds, the units, the format and the notes.
 #[pyfunction]
 #[pyo3(signature = (path, units=None, dt=None, column=None))]
@@ -42,7 +25,7 @@ pub fn read_record<'py>(
             path.display()
         )));
     }
-    let units = units.map(units_named).transpose().map_err(value_error)?;
+    let units = units.map(Units::named).transpose().map_err(value_error)?;
     if let Some(dt) = dt.filter(|dt| !(*dt > 0.0 && *dt <= 1e9)) {
         return Err(value_error(Invalid::new("dt", format!("{dt:?}"), "above 0, up to 1e9")));
     }

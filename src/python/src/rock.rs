@@ -1,7 +1,7 @@
 //! Whole responses.
 
 use chattercheck::motion::{
-    response::{Bout, BoutEnd, Response, Sample, State, Window},
+    response::{Bout, BoutEnd, Response, Sample, State, Termination, Window},
     scene::{self, Account},
 };
 use contract::Invalid;
@@ -10,7 +10,7 @@ use pyo3::{prelude::*, types::PyDict};
 
 use crate::{
     error::value_error,
-    scene::{Asked, Scene},
+    scene::{Scene, oracle_of},
     wait::{Stop, interruptible},
 };
 
@@ -30,8 +30,8 @@ fn rocked(
     stop: &Stop,
 ) -> Result<Rocked, String> {
     let said = |error: &dyn std::fmt::Display| error.to_string();
-    let asked = Asked::of(scene, until).map_err(|invalid| said(&invalid))?;
-    let oracle = asked.oracle(scene.ask.model, oracle, stop).map_err(|refused| said(&refused))?;
+    let asked = scene.asked(until, Termination::Exact).map_err(|invalid| said(&invalid))?;
+    let oracle = oracle_of(&asked, scene.ask.model, oracle, stop).map_err(|refused| said(&refused))?;
     let declined = |decline| format!("{} declines: {decline}", oracle.oracle.name());
     let response = asked.response(&oracle).map_err(declined)?;
     let window = Window { from: 0.0, to: response.end, steps };

@@ -4,18 +4,18 @@ use std::sync::Arc;
 
 use chattercheck::{
     motion::{
-        response::{OnMotion, Peak, Request, Response, Sample, Termination, Window},
+        record::Units,
+        response::Asked,
         scene::{self, Ground, Shaking},
     },
     panel::{self, Settings},
 };
-use contract::{Decline, Model, Oracle};
+use contract::{Model, Oracle};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::{
     error::{scene_error, value_error},
-    record::units_named,
     wait::{Stop, Stoppable},
 };
 
@@ -43,7 +43,7 @@ impl Scene {
     fn new(text: &str, samples: Option<Samples<'_>>) -> PyResult<Self> {
         let mut scene = scene::Scene::parse(text).map_err(scene_error)?;
         if let Some(Samples { acc, units, scale, dt, dt_tau }) = samples {
-            let units = units_named(&units).map_err(value_error)?;
+            let units = Units::named(&units).map_err(value_error)?;
             let dt = dt.map(|seconds| seconds * scene.block.frequency_parameter()).or(dt_tau).unwrap_or(f64::NAN);
             let samples = acc.as_array().to_vec();
             let shaking = Shaking::of_samples(&scene.block, units, (dt, scale), samples).map_err(value_error)?;
@@ -89,75 +89,21 @@ impl Scene {
     }
 }
 
-/// What is asked of the response, by a sinusoid under a block at rest or by another motion.
-pub enum Asked {
-    /// A sinusoid.
-    Sinusoid(Request),
-    /// Another motion.
-    Motion(OnMotion),
-}
-
-impl Asked {
-    /// What a scene asks, up to `until` in `τ`.
-    ///
-    /// # Errors
-    /// When a number is out of its range.
-    pub fn of(scene: &scene::Scene, until: Option<f64>) -> Result<Self, contract::Invalid> {
-        Ok(match scene.sine() {
-            Ok(_) => Self::Sinusoid(scene.response(until, Termination::Exact)?),
-            Err(_) => Self::Motion(scene.on_motion(until, Termination::Exact)?),
-        })
-    }
-
-    /// By whose flights: those of the oracle that is named, or the fastest.
-    ///
-    /// # Errors
-    /// When the name is not known.
-    pub fn oracle(&self, model: Model, name: Option<&str>, stop: &Stop) -> Result<Stoppable, panel::Refused> {
-        let oracle = match (name, self) {
-            (Some(name), _) => {
-                panel::one(name, &Settings::default(), if model == Model::Linear { "linear" } else { "nonlinear" })?
-            }
-            (None, Self::Sinusoid(_)) => panel::stepper_of(model),
-            (None, Self::Motion(request)) => panel::stepper_on(&request.body, &request.motion),
-        };
-        if oracle.model() == Model::Linear && model == Model::Nonlinear {
-            let solves = |method: &panel::Method| method.models.contains(&model);
-            return Err(panel::Refused::unused("model", "nonlinear (of the scene)", oracle.name(), solves));
+/// By whose flights what is asked is answered: those of the oracle that is named, or the fastest.
+///
+/// # Errors
+/// When the name is not known, or that oracle does not solve the equation.
+pub fn oracle_of(asked: &Asked, model: Model, name: Option<&str>, stop: &Stop) -> Result<Stoppable, panel::Refused> {
+    let oracle = match (name, asked) {
+        (Some(name), _) => {
+            panel::one(name, &Settings::default(), if model == Model::Linear { "linear" } else { "nonlinear" })?
         }
-        Ok(Stoppable { oracle, stop: stop.clone() })
+        (None, Asked::Sinusoid(_)) => panel::stepper_of(model),
+        (None, Asked::Motion(request)) => panel::stepper_on(&request.body, &request.motion),
+    };
+    if oracle.model() == Model::Linear && model == Model::Nonlinear {
+        let solves = |method: &panel::Method| method.models.contains(&model);
+        return Err(panel::Refused::unused("model", "nonlinear (of the scene)", oracle.name(), solves));
     }
-
-    /// The response.
-    ///
-    /// # Errors
-    /// When the oracle declines.
-    pub fn response(&self, oracle: &dyn Oracle) -> Result<Response, Decline> {
-        match self {
-            Self::Sinusoid(request) => Response::new(oracle, request),
-            Self::Motion(request) => Response::on_motion(oracle, request),
-        }
-    }
-
-    /// Its samples.
-    ///
-    /// # Errors
-    /// When the oracle declines.
-    pub fn samples(&self, response: &Response, oracle: &dyn Oracle, window: &Window) -> Result<Vec<Sample>, Decline> {
-        match self {
-            Self::Sinusoid(request) => response.samples(oracle, request, window),
-            Self::Motion(request) => response.samples_on_motion(oracle, request, window),
-        }
-    }
-
-    /// Its largest rotation.
-    ///
-    /// # Errors
-    /// When the oracle declines.
-    pub fn peak(&self, response: &Response, oracle: &dyn Oracle) -> Result<Option<Peak>, Decline> {
-        match self {
-            Self::Sinusoid(request) => response.peak(oracle, request),
-            Self::Motion(request) => response.peak_on_motion(oracle, request),
-        }
-    }
+    Ok(Stoppable { oracle, stop: stop.clone() })
 }

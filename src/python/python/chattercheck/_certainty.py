@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import inf
 from typing import Any
 
@@ -24,7 +24,7 @@ class BoutCriterion:
     #: The impact from which on rest was certain, and when that was.
     certain_from_impact: int | None
     certain_at: float | None
-    #: The bounds on the time of rest that were proven then.
+    #: The bounds on the time of rest that hold from then on: proven of the impact as it was found, and wider by what rounding may have done before.
     rest_lower: float | None
     rest_upper: float | None
     #: The first impact from which alone the local series is trusted, when that was, when it says that rest comes, and by how much that may be off.
@@ -86,8 +86,10 @@ def criterion(
 
 
 def _bout(row: dict[str, Any], p: float) -> BoutCriterion:
+    row = {**row, "start": row["from"], "end": row["to"]}
     times = ("start", "end", "certain_at", "predicted_at", "predicted_rest", "gap_end")
-    told = {**row, **{name: seconds(row[name], p) for name in times if row[name] is not None}}
+    told = {field.name: row[field.name] for field in fields(BoutCriterion)}
+    told |= {name: seconds(row[name], p) for name in times if row[name] is not None}
     for name, side in (("rest_lower", -inf), ("rest_upper", inf)):
         if row[name] is not None:
             told[name] = outward(row[name] / p, side)
@@ -146,7 +148,8 @@ def overturning(
     found = json.loads(_native.overturning(asked, (number("from", low), number("to", high)), oracle))
 
     def changes(of: dict[str, Any]) -> Changes:
-        return Changes(**{**of, "changes": tuple((lower, upper, above) for lower, upper, above in of["changes"])})
+        rows = tuple((row["lower"], row["upper"], row["happens_above"]) for row in of["changes"])
+        return Changes(**{**of, "changes": rows})
 
     return Overturning(changes(found["overturning"]), changes(found["incomplete"]), found["oracle"])
 

@@ -1,15 +1,23 @@
-//! What is asked of the response, by a sinusoid or by another motion.
+//! What is asked of a response, by a sinusoid or by another motion.
 
-use chattercheck::motion::response::{OnMotion, Peak, Request, Response, Sample, Window};
 use contract::{Decline, Oracle};
 
-/// What is asked of the response.
-pub(super) enum Asked {
+use super::{OnMotion, Peak, Request, Response, Sample, Window};
+
+/// What is asked of a response.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Asked {
+    /// To a sinusoid under a block at rest.
     Sinusoid(Request),
+    /// To another motion.
     Motion(OnMotion),
 }
 
 impl Asked {
+    /// The response.
+    ///
+    /// # Errors
+    /// When the oracle declines.
     pub fn response(&self, oracle: &dyn Oracle) -> Result<Response, Decline> {
         match self {
             Self::Sinusoid(request) => Response::new(oracle, request),
@@ -17,6 +25,10 @@ impl Asked {
         }
     }
 
+    /// Its samples.
+    ///
+    /// # Errors
+    /// When the oracle, which the response is of, declines.
     pub fn samples(&self, response: &Response, oracle: &dyn Oracle, window: &Window) -> Result<Vec<Sample>, Decline> {
         match self {
             Self::Sinusoid(request) => response.samples(oracle, request, window),
@@ -24,6 +36,10 @@ impl Asked {
         }
     }
 
+    /// Its largest rotation; `None` if the block never rocks.
+    ///
+    /// # Errors
+    /// When the oracle, which the response is of, declines.
     pub fn peak(&self, response: &Response, oracle: &dyn Oracle) -> Result<Option<Peak>, Decline> {
         match self {
             Self::Sinusoid(request) => response.peak(oracle, request),
@@ -31,6 +47,7 @@ impl Asked {
         }
     }
 
+    /// The coefficient of restitution.
     pub fn eta(&self) -> f64 {
         match self {
             Self::Sinusoid(request) => request.case.eta(),
