@@ -7,8 +7,12 @@ const SMALL: f64 = 1.0;
 
 /// Of `c = 1`: `cosh s - 1` and `sinh s`.
 pub fn of_level(s: f64) -> (f64, f64) {
-    let half = (0.5 * s).sinh();
-    (2.0 * half * half, s.sinh())
+    (cosh_less_one(s), s.sinh())
+}
+
+/// Of `c = r`: `sinh s - s` and `cosh s - 1`.
+pub fn of_slope(s: f64) -> (f64, f64) {
+    (sinh_less(s, || s.sinh()), cosh_less_one(s))
 }
 
 /// Of `c = level + slope r`, with no more exponentials than that takes.
@@ -19,15 +23,17 @@ pub fn of_line(s: f64, level: f64, slope: f64) -> (f64, f64) {
         return (slope * value, slope * rate);
     }
     let (cosh_less_one, sinh) = of_level(s);
-    let value = if s < SMALL { series(s, 3, |_| 1.0) } else { sinh - s };
-    (level * cosh_less_one + slope * value, level * sinh + slope * cosh_less_one)
+    (level * cosh_less_one + slope * sinh_less(s, || sinh), level * sinh + slope * cosh_less_one)
 }
 
-/// Of `c = r`: `sinh s - s` and `cosh s - 1`.
-pub fn of_slope(s: f64) -> (f64, f64) {
-    let value = if s < SMALL { series(s, 3, |_| 1.0) } else { s.sinh() - s };
+fn cosh_less_one(s: f64) -> f64 {
     let half = (0.5 * s).sinh();
-    (value, 2.0 * half * half)
+    2.0 * half * half
+}
+
+/// `sinh s - s`; the sine is asked for where it is needed.
+fn sinh_less(s: f64, sinh: impl FnOnce() -> f64) -> f64 {
+    if s < SMALL { series(s, 3, |_| 1.0) } else { sinh() - s }
 }
 
 /// Of `c = sin(ωr)/ω`: `(sinh s - sin(ωs)/ω)/(1 + ω²)` and `(cosh s - cos ωs)/(1 + ω²)`.
@@ -48,7 +54,7 @@ pub fn of_cosine(s: f64, omega: f64) -> (f64, f64) {
         return (-square * series(s, 4, powers(omega)), -square * series(s, 3, powers(omega)));
     }
     let half = (0.5 * omega * s).sin();
-    let value = square * of_level(s).0 - 2.0 * half * half;
+    let value = square * cosh_less_one(s) - 2.0 * half * half;
     let slope = omega * (omega * s.sinh() - (omega * s).sin());
     (-value / (1.0 + square), -slope / (1.0 + square))
 }
