@@ -17,7 +17,7 @@ pub struct Told {
     pub certain_from_impact: Option<usize>,
     /// When that was.
     pub certain_at: Option<f64>,
-    /// The bounds on the time of rest that hold from then on, as those of [`Certain`].
+    /// The bounds on the time of rest that hold from then on, as those of [`Certain`](super::Certain).
     pub rest_lower: Option<f64>,
     /// See `rest_lower`.
     pub rest_upper: Option<f64>,

@@ -1,7 +1,7 @@
 //! The whole response of a block to a sinusoid that may start at any phase and end at any time: rest until the threshold, rocking, chattering into
 //! rest, rocking again in the next lobe, free rocking after the end, and overturning.
 //!
-//! The response is made of flights, which a [`FlightSolver`](contract::FlightSolver) follows one at a time: `closed-form` for Eq. 4, `taylor` for
+//! The response is made of flights, which a [`FlightSolver`] follows one at a time: `closed-form` for Eq. 4, `taylor` for
 //! Eq. 2. Chattering is closed as an infinite sum unless one of the schemes of Section 5.2 is asked for.
 
 mod asked;
