@@ -10,7 +10,7 @@ use chattercheck::{
     },
     panel::{self, Settings},
 };
-use contract::{Model, Oracle};
+use contract::Model;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
