@@ -24,7 +24,7 @@ def cells(path: Path) -> list[dict[str, Any]]:
 
 def test_the_chapter_names_them() -> None:
     chapter = (ROOT / "src/guide/python.md").read_text(encoding="utf-8")
-    assert len(NOTEBOOKS) >= 2
+    assert len(NOTEBOOKS) >= 3
     for path in NOTEBOOKS:
         assert f"data/notebooks/{path.name}" in chapter
 
