@@ -47,6 +47,14 @@ impl Asked {
         }
     }
 
+    /// The slenderness, of a block that has one.
+    pub(super) fn alpha(&self) -> Option<f64> {
+        match self {
+            Self::Sinusoid(request) => request.case.slenderness().map(|slenderness| slenderness.alpha()),
+            Self::Motion(request) => request.body.alpha(),
+        }
+    }
+
     /// The coefficient of restitution.
     pub fn eta(&self) -> f64 {
         match self {

@@ -51,6 +51,11 @@ impl Lobes {
         Self { excitation, first, mirrored: turns.rem_euclid(2.0) != 0.0, amplitude: case.amplitude(), phase }
     }
 
+    /// The amplitude `a`.
+    pub fn amplitude(&self) -> f64 {
+        self.amplitude
+    }
+
     /// Half a period of the excitation, `T/2 = π/ω`.
     pub fn half_period(&self) -> f64 {
         self.excitation.half_period()

@@ -349,7 +349,11 @@ impl Response {
     /// # Errors
     /// When `oracle`, which the response is of, declines the case.
     pub fn peak(&self, oracle: &dyn Oracle, request: &Request) -> Result<Option<Peak>, Decline> {
-        if self.bouts.is_empty() { Ok(None) } else { Ok(self.peak_by(oracle.flights(&request.case)?.as_ref())) }
+        if self.bouts.is_empty() {
+            return Ok(None);
+        }
+        let alpha = request.case.slenderness().map(|slenderness| slenderness.alpha());
+        Ok(self.peak_by(oracle.flights(&request.case)?.as_ref(), alpha))
     }
 
     /// The largest rotation in a response to another motion than a sinusoid.
@@ -357,7 +361,7 @@ impl Response {
     /// # Errors
     /// When `oracle`, which the response is of, declines it.
     pub fn peak_on_motion(&self, oracle: &dyn Oracle, request: &OnMotion) -> Result<Option<Peak>, Decline> {
-        Ok(self.peak_by(oracle.flights_on(&request.body, &request.motion)?.as_ref()))
+        Ok(self.peak_by(oracle.flights_on(&request.body, &request.motion)?.as_ref(), request.body.alpha()))
     }
 
     /// The acceleration of the ground at `tau`, in multiples of that at which the block begins to rock; 0 once the motion is over.

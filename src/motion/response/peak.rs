@@ -18,12 +18,17 @@ const PARTS: u32 = 16;
 
 impl Response {
     /// The largest rotation while the block rocks, on whichever side, by the solver that the response is of; `None` if it never rocks. One that lies on its side
-    /// in the end has turned as far as that.
-    pub(super) fn peak_by(&self, solver: &dyn FlightSolver) -> Option<Peak> {
+    /// in the end has turned as far as that. `alpha` is the slenderness, if it has one.
+    pub(super) fn peak_by(&self, solver: &dyn FlightSolver, alpha: Option<f64>) -> Option<Peak> {
         let mut largest: Option<Peak> = None;
+        // On either equation |φ''| <= |φ| + this.
+        let pull = 1.0 + self.ground.strongest() * alpha.map_or(1.0, |alpha| alpha.tan() / alpha);
         for bout in &self.bouts {
             let solver = self.ground.seen(solver, bout.lobe);
             for flight in bout.flights.iter() {
+                if largest.is_some_and(|largest| no_higher_than(flight, pull) < largest.rotation.abs()) {
+                    continue;
+                }
                 let (s, rotation) = highest(&solver, flight);
                 if largest.is_none_or(|largest| rotation > largest.rotation.abs()) {
                     let side = bout.lobe.mirror * flight.departure.side;
@@ -36,6 +41,14 @@ impl Response {
             None => largest,
         }
     }
+}
+
+/// A height that a flight does not reach: `φ0 cosh T + |φ'0| sinh T + pull (cosh T - 1)`, and what rounding may take from that.
+fn no_higher_than(flight: &Flight, pull: f64) -> f64 {
+    let half = (0.5 * flight.duration).sinh();
+    let (cosh_less_one, sinh) = (2.0 * half * half, flight.duration.sinh());
+    let (rotation, speed) = (flight.departure.rotation, flight.departure.velocity.abs());
+    (rotation + (rotation + pull) * cosh_less_one + speed * sinh) * (1.0 + 1e-9)
 }
 
 /// When in a flight the rotation is largest, and how large.

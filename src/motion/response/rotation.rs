@@ -20,7 +20,8 @@ impl Asked {
             // The strength alone is moved.
             Self::Motion(request) => (Response::moved_on_motion(oracle, request)?, claims::MARGIN),
         };
-        let uncertainty = response.uncertainty_of(peak, moved.peak_by(flights.as_ref()), margin);
+        let moved = moved.peak_by(flights.as_ref(), self.alpha());
+        let uncertainty = response.uncertainty_of(peak, moved, margin);
         Ok((response, Some((peak, uncertainty))))
     }
 }

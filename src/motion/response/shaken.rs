@@ -46,6 +46,14 @@ impl Shaken {
         }
     }
 
+    /// A bound on the ground acceleration, in multiples of the threshold.
+    pub(super) fn strongest(&self) -> f64 {
+        match self {
+            Self::Sinusoid(lobes) => lobes.amplitude(),
+            Self::Motion(motion) => ground::strongest(motion),
+        }
+    }
+
     /// The ground acceleration at `tau`, in multiples of the threshold.
     pub fn acceleration(&self, tau: f64) -> f64 {
         match self {

@@ -1,6 +1,7 @@
 //! The linear block (Eq. 4) on ground that moves in another way than a sinusoid: sums of sinusoids, and records, in closed form.
 
 mod flight;
+mod glance;
 mod kernels;
 mod landing;
 mod pull;
@@ -10,6 +11,7 @@ use contract::{Arrival, Decline, Departure, Estimate, FlightSolver, Ground as St
 
 use crate::still;
 use flight::Flight;
+use glance::Glance;
 use landing::{Search, first_root};
 use pull::{Change, Ground};
 
@@ -58,8 +60,12 @@ impl FlightSolver for Flights {
         if departure.ground == State::Still {
             return still::fly((departure.rotation, departure.velocity), horizon);
         }
-        let mut window = 0.0;
+        // A short flight lasts about twice this.
+        let short = departure.velocity / self.ground.level(departure.side, departure.time);
+        let is_short = departure.rotation == 0.0 && short > 0.0;
+        let mut window = if is_short { STRETCH.min(4.0 * short).min(horizon) } else { 0.0 };
         let mut elapsed = 0.0;
+        let mut ahead: Option<Glance> = None;
         let mut flight = self.flight(departure, window);
         if flight.start == (0.0, 0.0) {
             let pull = flight.pull(0.0);
@@ -83,6 +89,14 @@ impl FlightSolver for Flights {
                 flight = self.flight(departure, window);
                 continue;
             }
+            if to < horizon
+                && let Some(glance) = &mut ahead
+                && let Some(state) = glance.above(&flight, to)
+                && !self.is_overturned(departure.time + to, (state.0 + 2.0 * glance.error(), state.1))
+            {
+                elapsed = to;
+                continue;
+            }
             match first_root(&flight, elapsed, to) {
                 Search::Root(interval) => {
                     let speed = -flight.at(interval).1;
@@ -104,6 +118,7 @@ impl FlightSolver for Flights {
             if !(state.0.is_finite() && state.1.is_finite()) {
                 return Arrival::Lost(Loss::NotFinite);
             }
+            ahead = Glance::new(&flight, to, state);
             elapsed = to;
         }
     }

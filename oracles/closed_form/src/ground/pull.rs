@@ -55,8 +55,21 @@ impl Ground {
     pub fn pull(&self, side: f64, time: f64, horizon: f64) -> Vec<Change> {
         match self {
             Self::Sinusoids(stretches) => of_sinusoids(stretches, side, time, horizon),
-            Self::Record(record, _) => of_record(record, side, time, horizon),
+            Self::Record(record, _) => of_record(record, side, time, horizon).collect(),
         }
+    }
+
+    /// The same, one after the other: those of a record are made as they are asked for.
+    pub fn changes(&self, side: f64, time: f64, horizon: f64) -> Box<dyn Iterator<Item = Change> + '_> {
+        match self {
+            Self::Sinusoids(stretches) => Box::new(of_sinusoids(stretches, side, time, horizon).into_iter()),
+            Self::Record(record, _) => Box::new(of_record(record, side, time, horizon)),
+        }
+    }
+
+    /// The pull at `time` on the side `side`, as after a jump there.
+    pub fn level(&self, side: f64, time: f64) -> f64 {
+        self.changes(side, time, 0.0).next().map_or(0.0, |change| change.level)
     }
 
     /// A bound on `|f|` from `time` on.
@@ -120,10 +133,10 @@ fn angle(term: &Sinusoid, time: f64) -> (f64, f64) {
     (sin + rest * cos, cos - rest * sin)
 }
 
-fn of_record(record: &Record, side: f64, time: f64, horizon: f64) -> Vec<Change> {
+fn of_record(record: &Record, side: f64, time: f64, horizon: f64) -> impl Iterator<Item = Change> + '_ {
     let Record { dt, scale, samples } = record;
     let last = samples.len().saturating_sub(1);
-    let sample = |k: usize| samples.get(k).map_or(0.0, |sample| sample * scale);
+    let sample = move |k: usize| samples.get(k).map_or(0.0, |sample| sample * scale);
     let straight =
         |at: f64, level: f64, slope: f64| Change { at, level, slope, waves: Vec::new(), curvature: 0.0, rate: 1.0 };
     // The piece that `time` is in: the last one that does not start after it.
@@ -134,25 +147,22 @@ fn of_record(record: &Record, side: f64, time: f64, horizon: f64) -> Vec<Change>
     while (k + 1) as f64 * dt <= time {
         k += 1;
     }
-    if k >= last {
-        return vec![straight(0.0, 1.0, 0.0)];
-    }
-    let slope_of = |k: usize| if k < last { (sample(k + 1) - sample(k)) / dt } else { 0.0 };
-    let slope = side * slope_of(k);
-    let level = (1.0 + side * sample(k)) + slope * (time - k as f64 * dt);
-    let mut changes = vec![straight(0.0, level, slope)];
-    let mut before = slope;
-    for k in k + 1..=last {
+    let slope_of = move |k: usize| if k < last { side * ((sample(k + 1) - sample(k)) / dt) } else { 0.0 };
+    let first = if k < last {
+        let slope = slope_of(k);
+        straight(0.0, (1.0 + side * sample(k)) + slope * (time - k as f64 * dt), slope)
+    } else {
+        straight(0.0, 1.0, 0.0)
+    };
+    let mut before = first.slope;
+    let later = (k + 1..=last).map_while(move |k| {
         let at = k as f64 * dt - time;
-        if at >= horizon {
-            break;
-        }
-        let slope = side * slope_of(k);
+        let slope = slope_of(k);
         let jump = if k == last { -side * sample(last) } else { 0.0 };
-        if slope != before || jump != 0.0 {
-            changes.push(straight(at, jump, slope - before));
-        }
+        let change = straight(at, jump, slope - before);
+        let is_none = slope == before && jump == 0.0;
         before = slope;
-    }
-    changes
+        (at < horizon).then_some((change, is_none))
+    });
+    std::iter::once(first).chain(later.filter(|(_, is_none)| !is_none).map(|(change, _)| change))
 }

@@ -24,8 +24,7 @@ const FITS: usize = 12;
 
 /// The least and the most that is left until rest after an impact at `time` which the block leaves to `side` with `speed`; `None` where that is not proven.
 pub fn time_left(ground: &Ground, eta: f64, (side, time, speed): (f64, f64, f64)) -> Option<(f64, f64)> {
-    let pull = |side: f64| ground.pull(side, time, 0.0).first().map_or(0.0, |change| change.level);
-    let (own, other) = (pull(side), pull(-side));
+    let (own, other) = (ground.level(side, time), ground.level(-side, time));
     if !(own > 0.0 && other > 0.0 && speed > 0.0) {
         return None;
     }
@@ -33,8 +32,8 @@ pub fn time_left(ground: &Ground, eta: f64, (side, time, speed): (f64, f64, f64)
     for _ in 0..FITS {
         // A little wider than it has to be, so that it is not fitted for ever.
         window *= 1.0 + 1e-3;
-        let own = Side::of(&ground.pull(side, time, window), window)?;
-        let other = Side::of(&ground.pull(-side, time, window), window)?;
+        let own = Side::of(ground.changes(side, time, window), window, speed)?;
+        let other = Side::of(ground.changes(-side, time, window), window, 0.0)?;
         let (least, most) = left(own, other, speed, eta)?;
         if most <= window {
             return Some((least, most));
@@ -77,23 +76,24 @@ fn coth_gain(a: f64) -> f64 {
 }
 
 impl Side {
-    /// Bounds over a window; `None` if the pull jumps in it.
-    fn of(changes: &[Change], window: f64) -> Option<Self> {
-        let first = changes.first()?;
+    /// Bounds over a window; `None` if the pull jumps in it, or may be as low as `low`.
+    fn of(changes: impl Iterator<Item = Change>, window: f64, low: f64) -> Option<Self> {
+        let mut changes = changes.peekable();
+        let first = changes.peek()?;
         // What rounding may have done to the pull itself: a sum of terms of about 1.
         let size: f64 = 1.0 + first.waves.iter().map(|wave| wave.value.abs()).sum::<f64>();
         let rounding = 4.0 * f64::EPSILON * size;
         let slope = |change: &Change| change.slope + change.waves.iter().map(|wave| wave.rate).sum::<f64>();
-        let (mut value, mut rate) = (first.level, slope(first));
+        let (mut value, mut rate) = (first.level, 0.0);
         let mut bounds = Self { least: value, most: value, grows: 0.0, falls: 0.0 };
-        for (place, change) in changes.iter().enumerate() {
-            if place > 0 {
-                if change.level != 0.0 || !change.waves.is_empty() {
-                    return None;
-                }
-                rate += change.slope;
+        let mut is_first = true;
+        while let Some(change) = changes.next() {
+            if !is_first && (change.level != 0.0 || !change.waves.is_empty()) || bounds.least <= low {
+                return None;
             }
-            let end = changes.get(place + 1).map_or(window, |next| next.at);
+            rate += if is_first { slope(&change) } else { change.slope };
+            is_first = false;
+            let end = changes.peek().map_or(window, |next| next.at);
             let length = end - change.at;
             let bow = change.curvature * length;
             let straight = value + rate * length;

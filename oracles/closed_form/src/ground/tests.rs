@@ -95,3 +95,46 @@ fn a_record_of_a_sinusoid_tends_to_it() {
         assert!((1.5..2.5).contains(&order), "{errors:?}");
     }
 }
+
+/// Whatever is glanced over is what the search finds with nothing handed over: the states agree within the bound on the error, and no root is passed.
+#[test]
+fn a_glance_is_near_and_passes_no_root() {
+    let mut seed = 7_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut glanced, mut worst) = (0, 0.0_f64);
+    for _ in 0..300 {
+        let (dt, strength) = (0.01 + 0.05 * random(), 0.5 + 2.0 * random());
+        let samples: Vec<f64> = (0..400).map(|_| strength * (2.0 * random() - 1.0)).collect();
+        let motion = Motion::record(dt, 1.0, samples).unwrap();
+        let flights = Flights::new(&motion, 0.9).unwrap();
+        let departure = Departure {
+            ground: Shaking::Shaking,
+            time: 100.0 * dt * random(),
+            side: 1.0,
+            rotation: 0.0,
+            velocity: 0.05 + random(),
+        };
+        let flight = flights.flight(&departure, 200.0 * dt);
+        let end = match flights.fly(&departure, 200.0 * dt) {
+            Arrival::Impact { interval, .. } => interval,
+            Arrival::Overturned { after } => after,
+            _ => 200.0 * dt,
+        };
+        // As far as it is certain that no root has been passed, the flight goes on.
+        let start = 0.3 * end;
+        let Some(mut glance) = Glance::new(&flight, start, flight.at(start)) else { panic!("a record has no waves") };
+        let ends = flight.changes.iter().map(|change| change.at).filter(|at| *at > start);
+        for to in ends {
+            let Some((rotation, velocity)) = glance.above(&flight, to) else { break };
+            assert!(to < end * (1.0 + 1e-12) || end >= 200.0 * dt || rotation + velocity > 1.0, "{to} is past {end}");
+            let exact = flight.at(to);
+            let off = (rotation - exact.0).abs().max((velocity - exact.1).abs());
+            worst = worst.max(off / (glance.error() + glance::rounding(&flight, to)));
+            glanced += 1;
+        }
+    }
+    assert!(glanced > 3000 && worst < 1.0, "{glanced} {worst}");
+}
