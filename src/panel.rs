@@ -259,6 +259,16 @@ pub fn closing() -> Box<dyn Oracle> {
     Box::new(Accumulation::default())
 }
 
+/// What foretells when a block comes to rest that any motion of the ground sets rocking weakly, without following an impact.
+pub fn foretelling() -> Option<Box<dyn Oracle>> {
+    one(FORETELLS, &Settings { tolerance: Some(FORETOLD), ..Settings::default() }, "linear").ok()
+}
+
+/// The weak law, to a number of terms at which it claims much and takes a millisecond.
+const FORETELLS: &str = "asymptotic/order-8";
+/// What error it may claim, relative to how long the block rocks: the gate takes a wider claim on a rest for none.
+const FORETOLD: f64 = 5e-4;
+
 /// The oracle that steps fastest on the linear equation and to nearly all digits.
 pub fn stepper() -> Box<dyn Oracle> {
     stepper_of(Model::Linear)

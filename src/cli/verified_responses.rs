@@ -9,7 +9,8 @@ use chattercheck::{
         progress::Progress,
         responses::{self, Failure, Report, Responder, Selection},
     },
-    responders::{self, Proven, Stepped},
+    panel,
+    responders::{self, Stepped, Told},
 };
 use clap::Args;
 use contract::{Invalid, Oracle};
@@ -40,7 +41,7 @@ pub(super) struct Chosen {
     /// How many of all parts.
     asked: usize,
     methods: Vec<Stepped>,
-    judges: Vec<Proven>,
+    told: Vec<Told>,
     questions: Vec<(String, Question)>,
 }
 
@@ -55,8 +56,9 @@ impl Responses {
         seed: u64,
         partition: Partition,
     ) -> Result<Chosen, Invalid> {
-        let is_asked = |method: &Stepped| panel.iter().any(|oracle| oracle.name() == method.oracle.name());
-        let methods: Vec<Stepped> = responders::all().into_iter().filter(is_asked).collect();
+        let named = |name: &str| panel.iter().any(|oracle| oracle.name() == name);
+        let methods: Vec<Stepped> =
+            responders::all().into_iter().filter(|method| named(method.oracle.name())).collect();
         let usual = if methods.is_empty() || !usual { 0 } else { Selection::DEFAULT };
         let responses = self.responses.unwrap_or(usual);
         if responses > Selection::MOST {
@@ -68,7 +70,13 @@ impl Responses {
         }
         let all = responses::questions(&Selection { responses, seed });
         let costs: Vec<f64> = all.iter().map(|(_, question)| cost_of_response(question)).collect();
-        Ok(Chosen { asked: responses, methods, judges: responders::judges(), questions: partition.of(all, &costs) })
+        // One of a method speaks for the others of it, which differ in how many terms they sum.
+        let of_same = |one: &dyn Oracle| {
+            let method = |name: &str| panel::method(name).map(|method| method.name);
+            panel.iter().any(|oracle| method(oracle.name()) == method(one.name()))
+        };
+        let told = responders::told(of_same);
+        Ok(Chosen { asked: responses, methods, told, questions: partition.of(all, &costs) })
     }
 }
 
@@ -101,7 +109,7 @@ impl Chosen {
 
     fn methods(&self) -> Vec<&dyn Responder> {
         let stepped = self.methods.iter().map(|method| method as &dyn Responder);
-        stepped.chain(self.judges.iter().map(|judge| judge as &dyn Responder)).collect()
+        stepped.chain(self.told.iter().map(|told| told as &dyn Responder)).collect()
     }
 
     /// Shrinks the first finding of a few failures, and writes each as a scene.

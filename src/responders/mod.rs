@@ -1,7 +1,7 @@
 //! The methods that follow whole responses, as the gate asks them.
 
-mod proven;
 mod stepped;
+mod told;
 
-pub use proven::{Proven, judges};
 pub use stepped::{Stepped, all};
+pub use told::{Told, told};

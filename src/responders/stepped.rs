@@ -67,7 +67,7 @@ impl Stepped {
         } else {
             Vec::new()
         };
-        Ok(Whole { bouts, rests: response.rests(), end: response.end, rows })
+        Ok(Whole { bouts, rests: response.rests(), end: response.end, told_until: None, rows })
     }
 
     fn whole_on_motion(&self, asked: &AnyMotion, rows: usize) -> Result<Whole, Decline> {
@@ -93,7 +93,7 @@ impl Stepped {
         } else {
             Vec::new()
         };
-        Ok(Whole { bouts, rests: response.rests(), end: response.end, rows })
+        Ok(Whole { bouts, rests: response.rests(), end: response.end, told_until: None, rows })
     }
 }
 

@@ -9,6 +9,7 @@ mod conditioning;
 mod detection_floor;
 mod explained;
 mod faults;
+mod foretold;
 mod judge;
 mod junit;
 mod linearisation;

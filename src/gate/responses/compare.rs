@@ -13,32 +13,41 @@ use super::{
 const WIDE: f64 = 1e-3;
 
 /// The first difference of a response of a method of this accuracy, as far as it is known what has to happen; and the largest share of what is allowed
-/// that any impact used.
-pub(super) fn first_difference(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Difference>, f64) {
+/// that any impact and any rest used.
+pub(super) fn first_difference(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Difference>, Used) {
     let scale = Reference::scale(accuracy);
-    let (difference, used) = of_bouts(&whole.bouts, &reference.expected(), scale);
+    let (difference, used) = of_bouts(whole, &reference.expected(), scale);
     (difference.or_else(|| rows::first_difference(&whole.rows, reference, scale)), used)
 }
 
 /// The same of bouts alone, with `scale` by what an error is larger than what is known.
-pub(super) fn of_bouts(bouts: &[Bout], expected: &Expected<'_>, scale: f64) -> (Option<Difference>, f64) {
-    let comparison = Comparison { expected, scale, used: Cell::new(0.0) };
-    let difference = comparison.bouts(bouts);
+pub(super) fn of_bouts(whole: &Whole, expected: &Expected<'_>, scale: f64) -> (Option<Difference>, Used) {
+    let comparison = Comparison { expected, scale, used: Cell::default() };
+    let difference = comparison.bouts(&whole.bouts, whole.told_until.unwrap_or(f64::INFINITY));
     (difference, comparison.used.get())
+}
+
+/// The largest shares of what is allowed.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Used {
+    /// That an impact used.
+    pub by_impacts: f64,
+    /// That a rest used.
+    pub by_rests: f64,
 }
 
 struct Comparison<'a> {
     expected: &'a Expected<'a>,
     scale: f64,
-    used: Cell<f64>,
+    used: Cell<Used>,
 }
 
 impl Comparison<'_> {
-    fn bouts(&self, bouts: &[Bout]) -> Option<Difference> {
+    fn bouts(&self, bouts: &[Bout], told_until: f64) -> Option<Difference> {
         let Expected { bouts: expected, known, until, .. } = *self.expected;
         for (k, (bout, known)) in expected.iter().zip(known).enumerate() {
             let Some(own) = bouts.get(k) else {
-                return Some(plain(What::NoBout, bout.begin));
+                return (bout.begin < told_until).then(|| plain(What::NoBout, bout.begin));
             };
             let late = ROUNDING * (1.0 + bout.begin);
             let begins = unless_near(What::Begin, bout.begin, own.begin, bout.begin, self.scale * known.begin + late);
@@ -65,7 +74,8 @@ impl Comparison<'_> {
             let late = self.scale * time + late;
             let faster = (self.scale * speed + 1e-11) * impact.before + 1e-16;
             let shares = [(found.time - impact.time).abs() / late, (found.before - impact.before).abs() / faster];
-            self.used.set(shares.into_iter().fold(self.used.get(), f64::max));
+            let used = self.used.get();
+            self.used.set(Used { by_impacts: shares.into_iter().fold(used.by_impacts, f64::max), ..used });
             let difference = unless_near(What::ImpactTime, impact.time, found.time, impact.time, late)
                 .or_else(|| unless_near(What::ImpactSpeed, impact.time, found.before, impact.before, faster));
             if difference.is_some() {
@@ -88,6 +98,9 @@ impl Comparison<'_> {
             let allowed = self.scale * end + bout.uncertainty + ROUNDING * (1.0 + bout.end);
             let most = WIDE * (bout.end - bout.begin) + allowed;
             let unsure = unless_near(What::Unsure, bout.end, own.uncertainty, 0.0, most);
+            let used = self.used.get();
+            let share = (own.end - bout.end).abs() / (allowed + own.uncertainty);
+            self.used.set(Used { by_rests: used.by_rests.max(share), ..used });
             let at = unless_near(What::RestTime, bout.end, own.end, bout.end, allowed + own.uncertainty);
             if let Some(difference) = unsure.or(at) {
                 return Some(difference);

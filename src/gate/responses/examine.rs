@@ -6,13 +6,13 @@ use contract::Model;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    compare,
+    compare::{self, Used},
     difference::Difference,
     laws::{self, Law},
     reach::Example,
     reference::{Expected, Reference},
     relations::Relation,
-    whole::{Responder, Whole},
+    whole::{BoutEnding, Responder, Whole},
 };
 use crate::cases::shaking::Question;
 
@@ -48,6 +48,13 @@ pub enum Compared {
         /// How many rows.
         rows: usize,
         /// The largest share of what is allowed that an impact used.
+        used: f64,
+    },
+    /// It lists no impacts, and when the block comes to rest was compared so often.
+    Foretold {
+        /// How often.
+        rests: usize,
+        /// The largest share of what is allowed that a rest used.
         used: f64,
     },
 }
@@ -152,7 +159,12 @@ pub fn examine_with(responders: &[&dyn Responder], question: &Question, relation
                 continue;
             };
             let (wrong, used) = wrong(&whole, &reference, responder.accuracy());
-            examination.asked.push((name.clone(), Compared::of(&whole, &reference, used)));
+            let compared = if responder.lists_impacts() {
+                Compared::answered(&whole, &reference, used.by_impacts)
+            } else {
+                Compared::foretold(&whole, &reference, used.by_rests)
+            };
+            examination.asked.push((name.clone(), compared));
             let wrong = wrong.or_else(|| {
                 relations.iter().find_map(|relation| {
                     let answer = answer_changes(*responder, question, *relation, &whole, &reference)?;
@@ -170,7 +182,7 @@ pub fn examine_with(responders: &[&dyn Responder], question: &Question, relation
 }
 
 /// What is wrong with a response, if anything, and the share of the allowance that it used.
-fn wrong(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Wrong>, f64) {
+fn wrong(whole: &Whole, reference: &Reference, accuracy: f64) -> (Option<Wrong>, Used) {
     let broken = laws::broken(whole, &reference.nominal.problem).map(|(law, time)| Wrong::Breaks(law, time));
     let (difference, used) = compare::first_difference(whole, reference, accuracy);
     (broken.or(difference.map(Wrong::Differs)), used)
@@ -186,9 +198,11 @@ fn answer_changes(
     reference: &Reference,
 ) -> Option<Option<Difference>> {
     let changed = relation.change(question).filter(|changed| responder.is_asked(&changed.question))?;
-    let again = changed.back(&responder.respond(&changed.question, 1)?.bouts);
+    let again = changed.back(responder.respond(&changed.question, 1)?);
     // The same method follows a block that falls as far as before.
-    let expected = Expected { bouts: &first.bouts, falls: false, ..reference.expected() };
+    let expected = reference.expected();
+    let until = first.told_until.map_or(expected.until, |told| told.min(expected.until));
+    let expected = Expected { bouts: &first.bouts, falls: false, until, ..expected };
     Some(compare::of_bouts(&again, &expected, Reference::scale_of_two(responder.accuracy())).0)
 }
 
@@ -210,7 +224,13 @@ fn with_agreeing(findings: &[Finding]) -> Vec<Finding> {
 }
 
 impl Compared {
-    fn of(whole: &Whole, reference: &Reference, used: f64) -> Self {
+    fn foretold(whole: &Whole, reference: &Reference, used: f64) -> Self {
+        let known = whole.bouts.iter().zip(&reference.known);
+        let rests = known.filter(|(bout, known)| bout.outcome == BoutEnding::Rest && known.ending.is_some()).count();
+        Self::Foretold { rests, used }
+    }
+
+    fn answered(whole: &Whole, reference: &Reference, used: f64) -> Self {
         let known = whole.bouts.iter().zip(&reference.known);
         let impacts = known.map(|(bout, known)| bout.impacts.len().min(known.impacts.len())).sum();
         Self::Answered { bouts: whole.bouts.len(), impacts, rows: whole.rows.len(), used }

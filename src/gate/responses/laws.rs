@@ -101,6 +101,9 @@ fn tiling(whole: &Whole) -> Option<(Law, f64)> {
 }
 
 fn end(whole: &Whole, problem: &Problem) -> Option<(Law, f64)> {
+    if whole.told_until.is_some() {
+        return None;
+    }
     let last = whole.bouts.last().map_or(BoutEnding::Rest, |bout| bout.outcome);
     let due = match last {
         BoutEnding::Rest => problem.until.min(problem.lasts),

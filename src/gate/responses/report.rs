@@ -120,12 +120,16 @@ impl From<&Failure> for Failed {
 /// What was exercised, in lines of a head and what is said.
 pub fn exercised(report: &Report) -> Vec<(&'static str, String)> {
     let Tally { responses, too_close, reach, relations, methods, .. } = &report.tally;
-    let (bouts, impacts) =
-        methods.values().fold((0, 0), |(bouts, impacts), method| (bouts + method.bouts, impacts + method.impacts));
+    let sum = |of: fn(&MethodCounts) -> usize| -> usize { methods.values().map(of).sum() };
+    let (bouts, impacts) = (sum(|method| method.bouts), sum(|method| method.impacts));
+    let foretold = match sum(|method| method.rests) {
+        0 => String::new(),
+        rests => format!(", {rests} rests foretold"),
+    };
     let mut lines = vec![(
         "responses",
         format!(
-            "{responses} whole responses by {} methods against a plain follower: {bouts} bouts, {impacts} impacts",
+            "{responses} whole responses by {} methods against a plain follower: {bouts} bouts, {impacts} impacts{foretold}",
             methods.len()
         ),
     )];
@@ -186,10 +190,14 @@ fn by_kind(failures: &[Failed]) -> Vec<Vec<&Failed>> {
 /// Every kind of response, and every method, in a line.
 pub fn methods_text(report: &Report) -> String {
     let line = |(name, method): (&String, &MethodCounts)| {
-        let MethodCounts { answered, declined, bouts, impacts, rows, wrong, related, used } = method;
+        let MethodCounts { answered, declined, bouts, impacts, rows, wrong, related, rests, used } = method;
         let used = 100.0 * used;
+        let compared = match rests {
+            0 => format!("{bouts} bouts, {impacts} impacts, {rows} rows"),
+            _ => format!("{rests} rests foretold"),
+        };
         format!(
-            "{name}: {answered} responses ({declined} declined), {bouts} bouts, {impacts} impacts, {rows} rows, {related} asked again, {wrong} wrong, {used:.1}% of the allowance used\n"
+            "{name}: {answered} responses ({declined} declined), {compared}, {related} asked again, {wrong} wrong, {used:.1}% of the allowance used\n"
         )
     };
     let reached = report.tally.reach.iter().map(|(reach, count)| format!("{count} {}", reach.name()));

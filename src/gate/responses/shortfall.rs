@@ -45,7 +45,7 @@ pub enum Shortfall {
         /// The largest share of the allowance that an impact used.
         used: f64,
     },
-    /// No impact of a method was compared.
+    /// No impact of a method was compared, and no rest of one that foretells them.
     NoImpact {
         /// Its name.
         method: String,
@@ -91,16 +91,18 @@ pub(super) fn shortfalls(tally: &Tally) -> (Vec<Shortfall>, Vec<NotJudged>) {
 
 fn of_method(name: &str, counts: &MethodCounts) -> Vec<Shortfall> {
     let method = name.to_owned();
-    let MethodCounts { answered, declined, impacts, wrong, used, related, .. } = *counts;
+    let MethodCounts { answered, declined, impacts, rests, wrong, used, related, .. } = *counts;
     let asked = answered + declined;
     let mut found = Vec::new();
-    if share(declined, asked) > tolerance::RESPONSES_DECLINED.value {
+    // What foretells rests declines what it does not foresee.
+    let foretells = rests > 0;
+    if !foretells && share(declined, asked) > tolerance::RESPONSES_DECLINED.value {
         found.push(Shortfall::Declined { method: method.clone(), declined, asked });
     }
     if related == 0 {
         found.push(Shortfall::NeverAskedAgain { method: method.clone() });
     }
-    if impacts == 0 {
+    if impacts == 0 && !foretells {
         found.push(Shortfall::NoImpact { method });
     } else if wrong == 0 && used < tolerance::RESPONSES_USED.value {
         found.push(Shortfall::Unused { method, used });
@@ -134,10 +136,10 @@ impl fmt::Display for Shortfall {
             Self::Unused { method, used } => {
                 write!(
                     f,
-                    "{method} is allowed so much that no impact of a whole response uses more than {used:.1e} of it"
+                    "{method} is allowed so much that no impact and no rest of a whole response uses more than {used:.1e} of it"
                 )
             }
-            Self::NoImpact { method } => write!(f, "{method}: no impact of a whole response was compared"),
+            Self::NoImpact { method } => write!(f, "{method}: no impact and no rest of a whole response was compared"),
             Self::NeverAskedAgain { method } => {
                 write!(f, "{method}: no whole response was asked again in a form that must not matter")
             }

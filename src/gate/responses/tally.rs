@@ -50,8 +50,15 @@ pub struct MethodCounts {
     /// How many of its answers were compared with one to the same question in another form.
     #[serde(default)]
     pub related: usize,
-    /// The largest share of what was allowed that an impact used, where nothing was wrong.
+    /// How often it was compared when the block comes to rest, of a method that foretells that and lists no impacts.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rests: usize,
+    /// The largest share of what was allowed that an impact used, or of such a method a rest, where nothing was wrong.
     pub used: f64,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 impl Tally {
@@ -72,6 +79,7 @@ impl Tally {
             mine.rows += theirs.rows;
             mine.wrong += theirs.wrong;
             mine.related += theirs.related;
+            mine.rests += theirs.rests;
             mine.used = mine.used.max(theirs.used);
         }
     }
@@ -89,19 +97,28 @@ impl Tally {
         }
         for (name, asked) in &examination.asked {
             let method = self.methods.entry(name.clone()).or_default();
-            match asked {
-                Compared::Declined => method.declined += 1,
+            let wrong = examination.findings.iter().filter(|finding| finding.method == *name).count();
+            method.wrong += wrong;
+            let used = match asked {
+                Compared::Declined => {
+                    method.declined += 1;
+                    continue;
+                }
                 Compared::Answered { bouts, impacts, rows, used } => {
-                    method.answered += 1;
                     method.bouts += bouts;
                     method.impacts += impacts;
                     method.rows += rows;
-                    if !examination.findings.iter().any(|finding| finding.method == *name) {
-                        method.used = method.used.max(*used);
-                    }
+                    used
                 }
+                Compared::Foretold { rests, used } => {
+                    method.rests += rests;
+                    used
+                }
+            };
+            method.answered += 1;
+            if wrong == 0 {
+                method.used = method.used.max(*used);
             }
-            method.wrong += examination.findings.iter().filter(|finding| finding.method == *name).count();
         }
     }
 }

@@ -16,6 +16,11 @@ pub trait Responder: Sync {
     /// What its flights are worth: as wrong as one whose parameters are off by this much, relative.
     fn accuracy(&self) -> f64;
 
+    /// Whether it lists impacts. What foretells when a block comes to rest does not, and declines what it does not foresee: then the rests are what is compared.
+    fn lists_impacts(&self) -> bool {
+        true
+    }
+
     /// Whether this is a question for it; otherwise it is not asked, and declines nothing.
     fn is_asked(&self, _question: &Question) -> bool {
         true
@@ -25,15 +30,17 @@ pub trait Responder: Sync {
     fn respond(&self, question: &Question, rows: usize) -> Option<Whole>;
 }
 
-/// What happens to a block from `τ = 0` on. All times are `τ`.
+/// What happens to a block from `τ = 0` on, or the beginning of it. All times are `τ`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Whole {
     /// When it rocks.
     pub bouts: Vec<Bout>,
     /// When it rests, each from and to.
     pub rests: Vec<(f64, f64)>,
-    /// When the response ends.
+    /// When the response ends, as far as it is told.
     pub end: f64,
+    /// Until when it is told what happens, where that is not to the end.
+    pub told_until: Option<f64>,
     /// The response as a table, in the order in which it is printed; may be empty.
     pub rows: Vec<Row>,
 }

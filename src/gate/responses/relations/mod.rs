@@ -14,7 +14,7 @@ mod terms;
 
 use serde::{Deserialize, Serialize};
 
-use super::whole::{Bout, Impact};
+use super::whole::{Bout, Impact, Whole};
 use crate::cases::shaking::Question;
 
 /// A change that must not matter.
@@ -133,8 +133,8 @@ impl Changed {
         Self { question, later: 0.0, mirrored: false }
     }
 
-    /// What the answer to it says of the first question.
-    pub fn back(&self, bouts: &[Bout]) -> Vec<Bout> {
+    /// What the answer to it says of the first question, but for its table.
+    pub fn back(&self, whole: Whole) -> Whole {
         let earlier = |time: f64| time - self.later;
         let impact = |impact: &Impact| Impact { time: earlier(impact.time), ..*impact };
         let bout = |bout: &Bout| Bout {
@@ -144,6 +144,12 @@ impl Changed {
             end: earlier(bout.end),
             ..bout.clone()
         };
-        bouts.iter().map(bout).collect()
+        Whole {
+            bouts: whole.bouts.iter().map(bout).collect(),
+            rests: whole.rests.iter().map(|(from, to)| (earlier(*from), earlier(*to))).collect(),
+            end: earlier(whole.end),
+            told_until: whole.told_until.map(earlier),
+            rows: Vec::new(),
+        }
     }
 }

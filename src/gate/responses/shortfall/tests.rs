@@ -36,6 +36,14 @@ fn each_thing_that_a_run_fails_to_prove_is_said_and_nothing_else() {
     assert_eq!(of_the_method(|counts| counts.used = 9e-4), [Shortfall::Unused { method: method(), used: 9e-4 }]);
     assert_eq!(of_the_method(|counts| (counts.used, counts.wrong) = (0.0, 1)), []);
     assert_eq!(of_the_method(|counts| counts.impacts = 0), [Shortfall::NoImpact { method: method() }]);
+    // What foretells rests lists no impacts, and may decline; of one that foretells nothing that is told.
+    let foretells = |rests: usize, declined: usize| {
+        of_the_method(move |counts| (counts.impacts, counts.rests, counts.declined) = (0, rests, declined))
+    };
+    assert_eq!(foretells(20, 500), []);
+    let nothing =
+        [Shortfall::Declined { method: method(), declined: 500, asked: 700 }, Shortfall::NoImpact { method: method() }];
+    assert_eq!(foretells(0, 500), nothing);
     assert_eq!(of_the_method(|counts| counts.related = 0), [Shortfall::NeverAskedAgain { method: method() }]);
     let relation = Relation::Later;
     let never = changed(|tally| {

@@ -1,4 +1,5 @@
-//! Whole responses as the judge proves them, where it follows them by itself: on motions of the ground that are no steady sinusoids.
+//! Whole responses as an oracle tells them by itself, without flights of which the harness makes them: what the judge proves, and what a law foretells.
+//! They are asked on motions of the ground that are no steady sinusoids.
 
 use contract::{BoutEnd, Followed, Impact, Model, Oracle};
 
@@ -10,22 +11,25 @@ use crate::{
 
 /// The first impacts of each bout are enough: what is wrong with later ones shows in when it rests.
 const IMPACTS: usize = 40;
-/// Above this restitution it would follow too many impacts to the proof.
+/// Above this restitution the judge would follow too many impacts to the proof.
 const MOST_ETA: f64 = 0.97;
-/// Proven bounds are narrower than the rounding of their middles.
+/// Each says by itself how far its rests may be off: what else there is, is rounding.
 const ACCURACY: f64 = 1e-15;
 
-/// The judge of one of the models.
-pub struct Proven {
+/// What an oracle tells by itself.
+pub struct Told {
     oracle: Box<dyn Oracle>,
+    lists_impacts: bool,
 }
 
-/// The judges of the panel.
-pub fn judges() -> Vec<Proven> {
-    panel::with_role(Role::Judge).into_iter().map(|oracle| Proven { oracle }).collect()
+/// The judges of the panel, and then what foretells rests without an impact; that only where it is among those of which `is_asked` says so.
+pub fn told(is_asked: impl Fn(&dyn Oracle) -> bool) -> Vec<Told> {
+    let judges = panel::with_role(Role::Judge).into_iter().map(|oracle| Told { oracle, lists_impacts: true });
+    let foretells = panel::foretelling().into_iter().filter(|oracle| is_asked(oracle.as_ref()));
+    judges.chain(foretells.map(|oracle| Told { oracle, lists_impacts: false })).collect()
 }
 
-impl Responder for Proven {
+impl Responder for Told {
     fn name(&self) -> &str {
         self.oracle.name()
     }
@@ -38,6 +42,10 @@ impl Responder for Proven {
         ACCURACY
     }
 
+    fn lists_impacts(&self) -> bool {
+        self.lists_impacts
+    }
+
     fn is_asked(&self, question: &Question) -> bool {
         matches!(question, Question::Motion(asked) if asked.body.eta() <= MOST_ETA)
     }
@@ -46,18 +54,26 @@ impl Responder for Proven {
         let Question::Motion(AnyMotion { body, motion, start, until }) = question else { return None };
         let asked = Followed { start: *start, until: *until, most_impacts: IMPACTS };
         let bouts = self.oracle.bouts_on(body, motion, &asked).ok()?;
-        // What is undecided with the digits that it tries is no answer.
-        if bouts.iter().any(|bout| bout.end == BoutEnd::Undecided) {
-            return None;
-        }
-        let bouts: Vec<Bout> = bouts.iter().map(|found| bout(found, body.eta(), *until)).collect();
-        let last = bouts.last();
+        let decided = bouts.iter().take_while(|bout| bout.end != BoutEnd::Undecided);
+        let decided: Vec<Bout> = decided.map(|found| bout(found, body.eta(), *until)).collect();
+        let last = decided.last();
         let now = last.map_or(0.0, |bout| bout.end);
+        if decided.len() < bouts.len() {
+            // Nothing is told from the first bout on that it can't decide; where that is the first of all, it has no answer.
+            last?;
+            return Some(Whole {
+                rests: rests(&decided, now),
+                bouts: decided,
+                end: now,
+                told_until: Some(now),
+                rows: Vec::new(),
+            });
+        }
         let end = match last.map_or(BoutEnding::Rest, |bout| bout.outcome) {
             BoutEnding::Rest => motion.duration().max(now).min(*until),
             _ => now,
         };
-        Some(Whole { rests: rests(&bouts, end), bouts, end, rows: Vec::new() })
+        Some(Whole { rests: rests(&decided, end), bouts: decided, end, told_until: None, rows: Vec::new() })
     }
 }
 
