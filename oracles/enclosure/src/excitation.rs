@@ -48,6 +48,18 @@ impl<F: Directed> Excitation<F> {
         let bend = &amplitude * &omega_squared;
         Self { omega, omega_squared, bend, quadrature: (epsilon * &(epsilon + &two)).root(), amplitude, any }
     }
+
+    /// The same with other digits.
+    pub fn convert<G: Directed>(&self) -> Excitation<G> {
+        Excitation {
+            omega: self.omega.convert(),
+            omega_squared: self.omega_squared.convert(),
+            bend: self.bend.convert(),
+            quadrature: self.quadrature.convert(),
+            amplitude: self.amplitude.convert(),
+            any: self.any.clone(),
+        }
+    }
 }
 
 impl<F: Directed> Ground<F> for Excitation<F> {
@@ -106,5 +118,10 @@ impl<F: Directed> HalfPhase<F> {
     /// At initiation.
     pub fn start() -> Self {
         Self { sine: Interval::zero(), cosine: Interval::exactly(1.0) }
+    }
+
+    /// The same with other digits.
+    pub fn convert<G: Directed>(&self) -> HalfPhase<G> {
+        HalfPhase { sine: self.sine.convert(), cosine: self.cosine.convert() }
     }
 }

@@ -12,6 +12,18 @@ pub fn sin_cos<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
 
 /// The same from a series that leaves out what is below `2^-bits`.
 pub(crate) fn sin_cos_to<F: Directed>(x: &Interval<F>, bits: i32) -> (Interval<F>, Interval<F>) {
+    let (sine, cosine) = by_doubling(x, bits, -1.0, 1.0);
+    let unit = Interval::within(1.0);
+    (sine.and(&unit), cosine.and(&unit))
+}
+
+/// The hyperbolic sine and cosine. Their terms fall by more than half each, so that twice the first one left out bounds the rest.
+pub fn sinh_cosh<F: Directed>(x: &Interval<F>) -> (Interval<F>, Interval<F>) {
+    by_doubling(x, F::BITS as i32 + 4, 1.0, 2.0)
+}
+
+/// The odd and the even solution of `y'' = sign y`, of which `beyond` times the first term that is left out bounds all that is.
+fn by_doubling<F: Directed>(x: &Interval<F>, bits: i32, sign: f64, beyond: f64) -> (Interval<F>, Interval<F>) {
     let mut halvings = 0;
     let mut small = x.clone();
     let half = Interval::exactly(0.5);
@@ -21,18 +33,19 @@ pub(crate) fn sin_cos_to<F: Directed>(x: &Interval<F>, bits: i32) -> (Interval<F
     }
     let square = small.squared();
     let one = Interval::exactly(1.0);
+    let signed = |term: &Interval<F>| if sign < 0.0 { -term } else { term.clone() };
     // sin x = x S(x²), cos x = C(x²), with the terms of both side by side.
     let (mut sine, mut cosine) = (one.clone(), one.clone());
     let (mut sine_term, mut cosine_term) = (one.clone(), one.clone());
     let mut n = 0;
     loop {
         n += 2;
-        cosine_term = -&(&(&cosine_term * &square) / &Interval::whole((n - 1) * n));
-        sine_term = -&(&(&sine_term * &square) / &Interval::whole(n * (n + 1)));
+        cosine_term = signed(&(&(&cosine_term * &square) / &Interval::whole((n - 1) * n)));
+        sine_term = signed(&(&(&sine_term * &square) / &Interval::whole(n * (n + 1))));
         let left_out = cosine_term.magnitude();
         if n > 4 && left_out < (2.0_f64).powi(-bits) || n > 1000 {
             // The terms of this degree are bounds on all from here on.
-            let bound = Interval::within(left_out);
+            let bound = Interval::within(beyond * left_out);
             sine = &sine + &bound;
             cosine = &cosine + &bound;
             break;
@@ -44,11 +57,10 @@ pub(crate) fn sin_cos_to<F: Directed>(x: &Interval<F>, bits: i32) -> (Interval<F
     let two = Interval::exactly(2.0);
     for _ in 0..halvings {
         let twice = &two * &(&sine * &cosine);
-        cosine = &one - &(&two * &sine.squared());
+        cosine = &one + &signed(&(&two * &sine.squared()));
         sine = twice;
     }
-    let unit = Interval::within(1.0);
-    (sine.and(&unit), cosine.and(&unit))
+    (sine, cosine)
 }
 
 /// `exp(-y²/2)`.

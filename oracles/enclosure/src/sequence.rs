@@ -4,10 +4,10 @@ use contract::{Case, Horizon, Normalisation, Slenderness};
 
 use crate::{
     directed::Directed,
-    excitation::{Excitation, HalfPhase},
-    flight::{From, Outcome, Takeoff},
+    excitation::Excitation,
     functions::{pi, sin_cos},
     interval::Interval,
+    known::{Flown, Known, Scene},
     piece::Motion,
     pull::Side,
     rest,
@@ -104,32 +104,28 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
     }
     let excitation = Excitation::new(&epsilon, case.omega());
     let motion = Motion::new(&excitation.amplitude, case.omega(), slenderness.map(|s| s.alpha()));
-    let eta = Interval::exactly(case.eta());
     let (horizon, beyond) = match case.horizon() {
         Horizon::HalfPeriod => (&pi() / &excitation.omega, End::HalfPeriod),
         Horizon::Until(time) => (Interval::exactly(time), End::Horizon),
     };
 
+    let scene = Scene::new(&motion, &excitation, (case.omega(), case.eta()));
+    let mut known = Known::initiation();
     let mut time = Interval::zero();
-    let mut phase = HalfPhase::start();
     let mut side = Side::Minus;
-    let mut from = From::Threshold;
     let mut complete: Option<Interval<F>> = None;
     let mut followed = 0;
     loop {
         followed += 1;
-        let takeoff = Takeoff { moment: phase, side, from, horizon: &horizon - &time };
-        let (interval, landing_speed) = match motion.fly(&excitation, takeoff) {
-            Outcome::Landing { interval, speed, moment } => {
-                phase = moment;
-                (interval, speed)
-            }
-            Outcome::Aloft => return clear(impacts, beyond),
-            Outcome::Overturned => return clear(impacts, End::Overturned),
-            Outcome::Unclear if motion.exhausted() => return exhausted(impacts, complete, wanted),
-            Outcome::Unclear => return clear(impacts, End::Unclear),
+        let (interval, landed) = match known.fly(&scene, side, &(&horizon - &time)) {
+            Flown::Landed(interval, landed) => (interval, landed),
+            Flown::Aloft => return clear(impacts, beyond),
+            Flown::Overturned => return clear(impacts, End::Overturned),
+            Flown::Unclear if motion.exhausted() => return exhausted(impacts, complete, wanted),
+            Flown::Unclear => return clear(impacts, End::Unclear),
         };
-        time = &time + &interval;
+        known = landed;
+        time = known.time();
         if horizon.is_below(&time) {
             return clear(impacts, beyond);
         }
@@ -137,7 +133,7 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
             return clear(impacts, End::Unclear);
         }
         side = side.other();
-        let speed = &eta * &landing_speed;
+        let (phase, speed) = (known.phase(&scene), known.speed());
         if impacts.len() < wanted.impacts {
             impacts.push(Impact { time: time.clone(), interval, speed: speed.clone(), side });
         }
@@ -154,6 +150,5 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
         if followed >= wanted.followed.max(wanted.impacts) {
             return exhausted(impacts, complete, wanted);
         }
-        from = From::Impact(speed);
     }
 }
