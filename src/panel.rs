@@ -20,6 +20,7 @@ use taylor::Taylor;
 
 use crate::{
     gate::roles::Roles,
+    measure::critical,
     motion::{closed::Closed, linearisation::Corrected},
 };
 
@@ -392,7 +393,10 @@ pub struct CriticalAmplitude {
 /// # Errors
 /// When `omega` or `eta` is out of range, or no bracket was found.
 pub fn critical_amplitude(omega: f64, eta: f64, digits: u32) -> Result<CriticalAmplitude, Decline> {
-    let critical = enclosure::critical_amplitude(omega, eta)?;
+    let critical = match critical::interpolated(omega, eta) {
+        Ok(epsilon) => enclosure::critical_amplitude_near(omega, eta, epsilon)?,
+        Err(_) => enclosure::critical_amplitude(omega, eta)?,
+    };
     let [complete_at, incomplete_at] = critical.amplitude.decimals(digits);
     let a_cr = critical.amplitude.middle().0;
     Ok(CriticalAmplitude { a_cr, complete_at, incomplete_at, exponent: critical.exponent })

@@ -51,6 +51,27 @@ enum Side {
 /// # Errors
 /// A [`Decline`] when a quantity is out of range or no bracket was found.
 pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
+    search(omega, eta, &[start(eta)])
+}
+
+/// The same, for who knows nearly where it is: proven at once if `epsilon`, its `a - 1`, is right to 8e-14, else found as by [`critical_amplitude`].
+///
+/// # Errors
+/// As [`critical_amplitude`].
+pub fn critical_amplitude_near(omega: f64, eta: f64, epsilon: f64) -> Result<Critical, Decline> {
+    if !(epsilon > WIDTH && epsilon < 10.0) {
+        return Err(Decline::OutOfRange { field: "epsilon", value: epsilon, allowed: "0 < epsilon < 10" });
+    }
+    search(omega, eta, &[epsilon - 0.4 * WIDTH, epsilon + 0.4 * WIDTH])
+}
+
+/// Eq. 77; no frequency in range has its critical amplitude beyond 10.
+fn start(eta: f64) -> f64 {
+    -0.3941 * eta.powi(3) + 0.5763 * eta * eta - 0.45 * eta + 0.271
+}
+
+/// From these amplitudes on.
+fn search(omega: f64, eta: f64, first: &[f64]) -> Result<Critical, Decline> {
     let range = |field, value: f64, allowed| Decline::OutOfRange { field, value, allowed };
     if !(0.1..=100.0).contains(&omega) {
         return Err(range("omega", omega, "0.1 <= omega <= 100"));
@@ -60,9 +81,9 @@ pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
     }
     let exponent = exponent(eta);
     let mut search = Search { complete: 0.0, incomplete: f64::INFINITY, points: Vec::new(), predicted: None, exponent };
-    // Eq. 77 is a start; no frequency in range has its critical amplitude beyond 10.
-    let mut next = -0.3941 * eta.powi(3) + 0.5763 * eta * eta - 0.45 * eta + 0.271;
+    let mut first = first.iter();
     for tried in 1..=MOST_TRIED {
+        let next = first.next().map_or_else(|| search.next(tried), |&next| next);
         let verdict = judge(next, omega, eta).map_err(|invalid| Decline::NotConvergent { why: invalid.to_string() })?;
         match verdict {
             None => {
@@ -76,7 +97,6 @@ pub fn critical_amplitude(omega: f64, eta: f64) -> Result<Critical, Decline> {
         if search.incomplete - search.complete <= WIDTH {
             return certified(search.complete, search.incomplete, exponent, tried);
         }
-        next = search.next(tried);
     }
     Err(Decline::NotConvergent { why: format!("no bracket after {MOST_TRIED} amplitudes") })
 }

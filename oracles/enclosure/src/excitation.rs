@@ -49,6 +49,23 @@ impl<F: Directed> Excitation<F> {
         Self { omega, omega_squared, bend, quadrature: (epsilon * &(epsilon + &two)).root(), amplitude, any }
     }
 
+    /// Between which multiples of the time that is left to the end of the half period the pull is until then, on the side on which it vanishes there; `None` for the
+    /// other side, and where it does not fall all the way.
+    ///
+    /// With `σ = ω s` the pull is `1 - cos σ + q sin σ`; over `σ` it lies between `q (1 - σ²/6) + σ/2 - σ³/24`, which is least at one end, and `q + σ/2`.
+    pub fn fall_to_half_period(&self, left: &Interval<F>, side: Side) -> Option<Interval<F>> {
+        let angle = &self.omega * left;
+        let falls = Interval::exactly(1.5);
+        if side == Side::Minus || !angle.is_below(&falls) {
+            return None;
+        }
+        let q = &self.quadrature;
+        let (square, half) = (angle.squared(), &angle * &Interval::exactly(0.5));
+        let lost = &(&square / &Interval::exactly(6.0)) * &(q + &(&angle * &Interval::exactly(0.25)));
+        let most = q + &half;
+        Some(&self.omega * &q.or(&most).or(&(&most - &lost)))
+    }
+
     /// The same with other digits.
     pub fn convert<G: Directed>(&self) -> Excitation<G> {
         Excitation {

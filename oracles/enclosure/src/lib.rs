@@ -4,7 +4,8 @@
 //! Every operation is rounded outward (`directed`, `digits`, `interval`), every series carries a bound on what it leaves out (`functions`,
 //! `piece`), the impact is proven to be the first root of its flight (`piece`, `flight`), and the ending is proven too: complete, because from
 //! some impact on the map from one impact to the next contracts over all that is left (`rest`); incomplete, because half a period passes in the
-//! air; or undecided, and then it says so. Where doubles are not enough, more digits are used (`ladder`).
+//! air, or is bound to (`gap`); or undecided, and then it says so. On the linear equation time and speed are bounded together (`parallelogram`). Where doubles are
+//! not enough, more digits are used (`ladder`).
 // `!(x > 0.0)` is meant: it also holds where `x` is not a number.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 #![cfg_attr(test, allow(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used))]
@@ -20,6 +21,7 @@ mod equation;
 mod excitation;
 mod flight;
 mod functions;
+mod gap;
 mod ground;
 mod interval;
 mod judge;
@@ -38,7 +40,7 @@ mod tests;
 mod twofold;
 
 pub use bounds::Bounds;
-pub use critical::{Critical, critical_amplitude};
+pub use critical::{Critical, critical_amplitude, critical_amplitude_near};
 pub use enclosed_impact::EnclosedImpact;
 pub use judge::Enclosure;
 pub use oracle::Enclosed;

@@ -243,3 +243,6 @@ fn product<F: Directed>(left: &Matrix<F>, [[a, b], [c, d]]: &Matrix<F>) -> Matri
 fn convert<F: Directed>(matrix: &Matrix<f64>) -> Matrix<F> {
     matrix.each_ref().map(|row| row.each_ref().map(Interval::convert))
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,7 @@ use crate::{
     directed::Directed,
     excitation::Excitation,
     functions::{pi, sin_cos},
+    gap,
     interval::Interval,
     known::{Flown, Known, Scene},
     piece::Motion,
@@ -37,7 +38,7 @@ pub enum End<F> {
     NeverRocks,
     /// Infinitely many impacts follow, up to the chattering time.
     Complete(Interval<F>),
-    /// The block is in the air at half a period.
+    /// The block is in the air at half a period, or is proven to be going to be.
     HalfPeriod,
     /// The block is in the air at the horizon of the case.
     Horizon,
@@ -146,6 +147,11 @@ pub fn follow<F: Directed>(case: &Case, slenderness: Option<Slenderness>, wanted
             if let (true, true, Some(complete)) = (listed, enough, &complete) {
                 return clear(impacts, End::Complete(complete.clone()));
             }
+        }
+        let in_half_period = slenderness.is_none() && case.horizon() == Horizon::HalfPeriod;
+        let listed = impacts.len() >= wanted.impacts;
+        if in_half_period && listed && gap::is_missed(&excitation, &(&horizon - &time), side, &speed, case.eta()) {
+            return clear(impacts, beyond);
         }
         if followed >= wanted.followed.max(wanted.impacts) {
             return exhausted(impacts, complete, wanted);

@@ -2,7 +2,7 @@
 
 use crate::effort::pick;
 use contract::{Case, Ending, Model, Normalisation, Slenderness};
-use enclosure::{Enclosure, critical_amplitude};
+use enclosure::{Enclosure, critical_amplitude, critical_amplitude_near};
 
 fn case(epsilon: f64, omega: f64, eta: f64) -> Case {
     Case::from_epsilon(epsilon, omega, eta).unwrap().with_max_impacts(20).unwrap()
@@ -76,5 +76,27 @@ fn the_search_tries_as_few_amplitudes_as_it_did() {
     for &(omega, eta, recorded) in &recorded[..pick("critical amplitudes", 4, 6)] {
         let tried = critical_amplitude(omega, eta).unwrap().tried;
         assert!(tried.abs_diff(recorded) <= 1, "{omega} {eta}: {tried} instead of {recorded}");
+    }
+}
+
+/// Two proofs are enough for who knows where it is; who is wrong gets the same, later.
+#[test]
+fn whoever_knows_it_has_it_proven_at_once() {
+    for (omega, eta) in [(2.0, 0.6), (0.5, 0.92), (8.0, 0.5)] {
+        let found = critical_amplitude(omega, eta).unwrap();
+        let middle = 0.5 * (found.epsilon_complete + found.epsilon_incomplete);
+        let near = critical_amplitude_near(omega, eta, middle).unwrap();
+        assert_eq!(near.tried, 2);
+        assert!(near.epsilon_complete < found.epsilon_incomplete && found.epsilon_complete < near.epsilon_incomplete);
+        for wrong in [0.5 * middle, middle - 1e-9, middle + 1e-9, 1.5 * middle] {
+            let late = critical_amplitude_near(omega, eta, wrong).unwrap();
+            assert!(late.amplitude.width() <= 1e-12 && late.tried > 2, "{omega} {eta} {wrong}");
+            assert!(
+                late.epsilon_complete < found.epsilon_incomplete && found.epsilon_complete < late.epsilon_incomplete
+            );
+        }
+        for refused in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(critical_amplitude_near(omega, eta, refused).is_err());
+        }
     }
 }
