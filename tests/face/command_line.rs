@@ -379,7 +379,7 @@ fn the_critical_amplitude_is_certified() {
     assert!((answer["exponent"].as_f64().unwrap() - 0.60018).abs() < 1e-5);
     assert!((answer["eq76"].as_f64().unwrap() - 1.03732).abs() < 1e-5);
     assert!((answer["eq77"].as_f64().unwrap() - 1.03790).abs() < 1e-5);
-    assert!(stdout("critical-amplitude --omega 8 --eta 0.5").contains("proven: complete at 1.1472100813812"));
+    assert!(stdout("critical-amplitude --omega 8 --eta 0.5").contains("proven: complete at 1.1472100813811"));
 }
 
 #[test]

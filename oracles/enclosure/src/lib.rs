@@ -33,6 +33,7 @@ mod piece;
 mod pull;
 mod responses;
 mod rest;
+mod scene;
 mod sequence;
 mod shaking;
 #[cfg(test)]

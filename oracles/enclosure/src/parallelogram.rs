@@ -19,9 +19,9 @@ use crate::{
     functions::sinh_cosh,
     ground::Ground,
     interval::Interval,
-    known::{Flown, Scene},
     piece::Motion,
     pull::Side,
+    scene::{Flown, Scene},
 };
 
 /// Something of time and something of speed; or of one side of a parallelogram and of the other.

@@ -8,10 +8,11 @@ use crate::{
     functions::{pi, sin_cos},
     gap,
     interval::Interval,
-    known::{Flown, Known, Scene},
+    known::Known,
     piece::Motion,
     pull::Side,
     rest,
+    scene::{Flown, Scene},
 };
 
 /// An impact.

@@ -7,9 +7,10 @@ use crate::{
     excitation::Excitation,
     functions::pi,
     interval::Interval,
-    known::{Flown, Known, Scene},
+    known::Known,
     piece::Motion,
     pull::Side,
+    scene::{Flown, Scene},
     twofold::Twofold,
 };
 
