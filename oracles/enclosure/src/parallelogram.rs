@@ -41,6 +41,8 @@ pub struct Parallelogram<F> {
     direction: [f64; 2],
     /// How far the states reach along each side.
     reach: Pair<F>,
+    /// How far beside the point they are therefore, in time and in speed.
+    beside: Pair<F>,
 }
 
 /// What is common to the flights of all states, in doubles.
@@ -65,33 +67,27 @@ impl<F: Directed> Parallelogram<F> {
             units: [0.0, 0.0],
             direction: [1.0, 0.0],
             reach: [zero(), zero()],
+            beside: [zero(), zero()],
         };
         initiation.landed(scene, interval, landing_speed, [[0.0; 2]; 2].map(|row| row.map(Interval::exactly)))
     }
 
     /// Every time.
     pub fn time(&self) -> Interval<F> {
-        let [later, _] = self.beside();
-        &self.time + &later
+        let [later, _] = &self.beside;
+        &self.time + later
     }
 
     /// Every phase.
     pub fn phase(&self, scene: &Scene<'_, F>) -> HalfPhase<F> {
-        let [later, _] = self.beside();
-        scene.excitation.later(&self.phase, &later)
+        let [later, _] = &self.beside;
+        scene.excitation.later(&self.phase, later)
     }
 
     /// Every speed away from the base.
     pub fn speed(&self) -> Interval<F> {
-        let [_, faster] = self.beside();
-        &self.speed + &faster
-    }
-
-    /// How far beside the point the states are.
-    fn beside(&self) -> Pair<F> {
-        let [later, faster] = apply(&convert(&along(self.direction)), &self.reach);
-        let [time, speed] = self.units.map(Interval::exactly);
-        [&time * &later, &speed * &faster]
+        let [_, faster] = &self.beside;
+        &self.speed + faster
     }
 
     /// The next flight of all states, on `side`, looked at for `horizon`.
@@ -106,9 +102,9 @@ impl<F: Directed> Parallelogram<F> {
             return Flown::Unclear;
         };
         let derivatives = together.derivatives();
-        let [later, faster] = self.beside();
+        let [later, faster] = &self.beside;
         let [[by_time, by_speed], _] = convert(&derivatives);
-        let every = &interval + &(&(&by_time * &later) + &(&by_speed * &faster));
+        let every = &interval + &(&(&by_time * later) + &(&by_speed * faster));
         let states = self.landed(scene, &interval, &speed, derivatives);
         Flown::Landed(every.and(&together.interval.convert()), states)
     }
@@ -116,7 +112,7 @@ impl<F: Directed> Parallelogram<F> {
     /// The flights of all states as one, with the speed and the phase as intervals: in doubles, or with all digits where doubles can't tell.
     fn together(&self, scene: &Scene<'_, F>, side: Side, horizon: &Interval<F>) -> Result<Together, Flown<F, Self>> {
         let (phase, speed) = (self.phase(scene), self.speed());
-        let [later, _] = self.beside();
+        let [later, _] = &self.beside;
         let coarse_phase = scene.coarse_excitation.later(&self.phase.convert(), &later.convert());
         let coarse = (coarse_phase, speed.convert(), horizon.convert());
         match together(&scene.coarse_motion, &scene.coarse_excitation, side, coarse) {
@@ -153,13 +149,16 @@ impl<F: Directed> Parallelogram<F> {
         let back = against(direction);
         let [one, other] = apply(&convert(&product(&back, &from)), &self.reach);
         let [one_off, other_off] = apply(&convert(&back), &off);
+        let reach = [&one + &one_off, &other + &other_off];
+        let beside = beside(units, direction, &reach);
         Self {
             time: &self.time + &lasted,
             phase: scene.excitation.later(&self.phase, &lasted),
             speed,
             units,
             direction,
-            reach: [&one + &one_off, &other + &other_off],
+            reach,
+            beside,
         }
     }
 }
@@ -204,6 +203,13 @@ impl Together {
         let faster_by_time = gained.and(&(&(slope * &sinh) - &(slope * &(landing_pull * &risen))));
         [[longer_by_time, longer_by_speed], [faster_by_time, faster_by_speed]]
     }
+}
+
+/// How far beside its point a parallelogram reaches.
+fn beside<F: Directed>(units: [f64; 2], direction: [f64; 2], reach: &Pair<F>) -> Pair<F> {
+    let [later, faster] = apply(&convert(&along(direction)), reach);
+    let [time, speed] = units.map(Interval::exactly);
+    [&time * &later, &speed * &faster]
 }
 
 /// From the sides of a parallelogram to its units.

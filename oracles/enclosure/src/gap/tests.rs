@@ -4,8 +4,9 @@ use super::is_missed;
 use crate::{
     critical_amplitude,
     directed::Directed,
-    excitation::Excitation,
+    excitation::{Excitation, HalfPhase},
     functions::pi,
+    ground::Ground,
     interval::Interval,
     known::Known,
     piece::Motion,
@@ -37,7 +38,7 @@ fn proven(epsilon: f64, omega: f64, eta: f64) -> (Option<usize>, usize) {
 
 #[test]
 fn a_gap_is_missed_for_certain_long_before_its_end() {
-    // The page has 10 and 34 impacts; of those on one side every other counts.
+    // The derivation was tried with 10 impacts at eta = 0.6 and 34 at 0.92; the proof counts from the impact after it.
     for (omega, eta, earlier) in [(2.0, 0.6, 9), (2.0, 0.92, 30), (0.5, 0.8, 15), (8.0, 0.92, 30)] {
         let epsilon = critical_amplitude(omega, eta).unwrap().epsilon_incomplete + 1e-8;
         let (found, impacts) = proven(epsilon, omega, eta);
@@ -55,10 +56,9 @@ fn complete_chattering_misses_nothing() {
             if below > 0.0 {
                 assert_eq!(proven(below, omega, eta).0, None, "{omega} {eta} {away:e}");
             }
-            assert!(
-                proven(critical.epsilon_incomplete + away, omega, eta).0.is_some() || away > 1e-4,
-                "{omega} {eta} {away:e}"
-            );
+            // Farther above it the very first flights pass the end, before there is anything to prove.
+            let missed = proven(critical.epsilon_incomplete + away, omega, eta).0.is_some();
+            assert!(missed || away > 1e-4, "{omega} {eta} {away:e}");
         }
     }
 }
@@ -74,12 +74,8 @@ fn the_pull_lies_between_its_multiples_of_the_time_left() {
             let fall = excitation.fall_to_half_period(&left, Side::Plus).unwrap();
             for part in [1e-3, 0.1, 0.3, 0.6, 0.9, 1.0] {
                 let left = &left * &Interval::exactly(part);
-                let phase = crate::ground::Ground::later(
-                    &excitation,
-                    &crate::excitation::HalfPhase::start(),
-                    &(&half_period - &left),
-                );
-                let multiple = &crate::ground::Ground::pull(&excitation, &phase, Side::Plus).value / &left;
+                let phase = excitation.later(&HalfPhase::start(), &(&half_period - &left));
+                let multiple = &excitation.pull(&phase, Side::Plus).value / &left;
                 let rounding = 1e-12 * multiple.middle();
                 assert!(fall.lower.double_below() <= multiple.middle() + rounding, "{epsilon} {share} {part}");
                 assert!(fall.upper.double_above() >= multiple.middle() - rounding, "{epsilon} {share} {part}");

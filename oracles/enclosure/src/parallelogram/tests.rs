@@ -33,7 +33,7 @@ fn what_is_inside_lands_inside() {
             let Known::Together(states) = &mut known else { panic!("a slender block is followed together") };
             // The rounding of doubles alone is too little to see by.
             states.reach = [1e-6, 3e-7].map(Interval::within);
-            // The start is a single number: the phase of the point has a width of its own.
+            states.beside = beside(states.units, states.direction, &states.reach);
             let Flown::Landed(interval, next) = states.fly(&coarse_scene, side, &Interval::exactly(10.0)) else {
                 panic!("{epsilon} {omega} {eta}: not landed after {impact}");
             };
@@ -56,6 +56,7 @@ fn what_is_inside_lands_inside() {
                 };
                 // What is not known of the time of the point, in the units of the next one.
                 let width = states.time.width() / next.units[0];
+                // A tenth of the smaller reach: more would hide what is outside.
                 assert!(width < 3e-8, "the time of the point is not known: {width:e}");
                 let place = along_sides(&next, &(&start + &lasted), &(&Interval::exactly(eta) * &landed));
                 for (place, reach) in place.iter().zip(&next.reach) {
